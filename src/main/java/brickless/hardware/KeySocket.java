@@ -1,0 +1,19 @@
+package brickless.hardware;
+
+/** The keys as a bit mask: UP 1, ENTER 2, DOWN 4, RIGHT 8, LEFT 16, ESCAPE 32. */
+public interface KeySocket {
+    /** Keys that are down now, physical and simulated together. Does not block. */
+    int pressed();
+
+    /**
+     * Blocks until {@link #pressed()} differs from {@code known}.
+     *
+     * @param timeoutNanos longest wait in nanoseconds, 0 = for ever
+     * @return the mask at the end of the wait
+     * @throws InterruptedException if the calling program thread is interrupted
+     */
+    int awaitChange(int known, long timeoutNanos) throws InterruptedException;
+
+    /** Presses or releases a key by program ({@code Key.simulateEvent}). */
+    void simulate(int keyMask, boolean down);
+}

@@ -1,0 +1,39 @@
+package brickless.kernel;
+
+/**
+ * The processor a robot's program runs on, as device models and sockets see it: a clock, a way to charge time for a call, and a way to block.
+ *
+ * <p>The virtual-time kernel implements it with fibres; live mode implements it with real threads and the wall clock. Methods that
+ * charge or block are called on a program thread; {@link Signal#raise()} also from the physics step.
+ */
+public interface Processor {
+    /** Nanoseconds since the program's start. */
+    long nowNanos();
+
+    /** Charges the running program thread for work; other threads and physics steps may run before it returns. */
+    void charge(long nanos);
+
+    /** A new signal that threads of this program can wait for. */
+    Signal newSignal();
+
+    /** Something a program thread can wait for. */
+    interface Signal {
+        /** Wakes every thread that waits now. Has no effect on later waits. */
+        void raise();
+
+        /**
+         * Blocks the calling program thread until {@link #raise()}; interrupts are ignored and kept.
+         *
+         * @param timeoutNanos longest wait in nanoseconds, 0 = for ever
+         * @return true if raised, false if the time ran out
+         */
+        boolean await(long timeoutNanos);
+
+        /**
+         * Like {@link #await(long)} but gives up when the thread is interrupted.
+         *
+         * @throws InterruptedException if interrupted before or during the wait
+         */
+        boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException;
+    }
+}

@@ -1,0 +1,2 @@
+/** Unit conversions and nothing else. May use: the JDK. */
+package brickless.units;

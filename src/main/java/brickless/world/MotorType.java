@@ -1,0 +1,24 @@
+package brickless.world;
+
+/** Motors a robot file can name in {@code data-motor}. */
+public enum MotorType {
+    LARGE("ev3-large", "large"), MEDIUM("ev3-medium", "medium"), NXT("nxt", "nxt");
+
+    private final String title;
+    private final String attribute;
+
+    MotorType(String title, String attribute) {
+        this.title = title;
+        this.attribute = attribute;
+    }
+
+    /** Name for messages. */
+    public String title() {
+        return title;
+    }
+
+    /** Value of {@code data-motor}. */
+    public String attribute() {
+        return attribute;
+    }
+}
