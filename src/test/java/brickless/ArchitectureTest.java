@@ -48,7 +48,7 @@ class ArchitectureTest {
         TABLE.put("brickless.program", List.of("brickless.loading"));
         TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks", "brickless.loading..", "brickless.units",
                 "brickless.world..", "brickless.physics", "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
-        TABLE.put("brickless.cli", List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
+        TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
                 "picocli..", "org.slf4j.."));
     }
 

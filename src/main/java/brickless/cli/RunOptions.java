@@ -3,7 +3,7 @@ package brickless.cli;
 import brickless.program.Program;
 import brickless.program.ProgramException;
 import brickless.program.ProgramFinder;
-import brickless.simulation.Backend;
+import brickless.kernel.BackendChoice;
 import brickless.simulation.Durations;
 import brickless.simulation.Goal;
 import brickless.simulation.Library;
@@ -16,7 +16,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import picocli.CommandLine.ITypeConverter;
@@ -69,7 +68,7 @@ final class RunOptions {
 
     @Option(names = "--backend", paramLabel = "BACKEND", defaultValue = "auto", converter = BackendConverter.class,
             description = "auto, threads or continuation: how program threads are carried (default: auto).")
-    Backend backend;
+    BackendChoice backend;
 
     Program findProgram() {
         List<Path> entries = classPath.isEmpty() ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
@@ -121,10 +120,14 @@ final class RunOptions {
         }
     }
 
-    private static final class BackendConverter implements ITypeConverter<Backend> {
-        @Override public Backend convert(String value) {
-            return Arrays.stream(Backend.values()).filter(backend -> backend.name().toLowerCase(Locale.ROOT).equals(value)).findFirst()
-                    .orElseThrow(() -> new TypeConversionException("'" + value + "' is no back-end; allowed: auto, threads, continuation"));
+    private static final class BackendConverter implements ITypeConverter<BackendChoice> {
+        @Override public BackendChoice convert(String value) {
+            return switch (value) {
+                case "auto" -> BackendChoice.AUTO;
+                case "threads" -> BackendChoice.THREADS;
+                case "continuation" -> BackendChoice.CONTINUATIONS;
+                default -> throw new TypeConversionException("'" + value + "' is no back-end; allowed: auto, threads, continuation");
+            };
         }
     }
 }

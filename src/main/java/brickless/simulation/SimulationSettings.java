@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.kernel.BackendChoice;
 import brickless.world.RobotModel;
 import brickless.world.World;
 import java.io.OutputStream;
@@ -27,7 +28,7 @@ import java.util.OptionalLong;
  * @param out folder for the files of the run; empty: none are written
  */
 public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed, OptionalLong scheduleSeed,
-        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, List<Stimulus> stimuli, Backend backend,
+        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, List<Stimulus> stimuli, BackendChoice backend,
         OutputStream console, Optional<Path> out) {
     public SimulationSettings {
         stimuli = List.copyOf(stimuli);
@@ -58,7 +59,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
         private boolean ideal;
         private boolean pressButtons = true;
         private List<Stimulus> stimuli = List.of();
-        private Backend backend = Backend.AUTO;
+        private BackendChoice backend = BackendChoice.AUTO;
         private OutputStream console = OutputStream.nullOutputStream();
         private Optional<Path> out = Optional.empty();
 
@@ -121,7 +122,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
         }
 
         /** How program threads are carried. */
-        public Builder backend(Backend value) {
+        public Builder backend(BackendChoice value) {
             backend = value;
             return this;
         }
