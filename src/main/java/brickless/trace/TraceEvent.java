@@ -96,14 +96,25 @@ public sealed interface TraceEvent {
         }
     }
 
-    /** The robot began or ceased to touch something. */
-    record ContactEvent(String other, boolean began) implements TraceEvent {
+    /** The robot and something else touched after having been apart; speed in metres per second at which they closed in. */
+    record CollisionEvent(String other, double speed) implements TraceEvent {
         @Override public String type() {
-            return "contact";
+            return "collision";
         }
 
         @Override public void write(JsonLine line) {
-            line.text("with", other).flag("began", began);
+            line.text("with", other).number("speed", speed, 3);
+        }
+    }
+
+    /** A wheel of the robot went over the edge of the table. */
+    record FallEvent() implements TraceEvent {
+        @Override public String type() {
+            return "fell";
+        }
+
+        @Override public void write(JsonLine line) {
+            line.flag("over", true);
         }
     }
 
