@@ -20,8 +20,6 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
 
     private static final int DEFAULT_SPEED = 360;
     private static final int DEFAULT_ACCELERATION = 6000;
-    private static final int DEFAULT_STALL_ERROR_DEGREES = 50;
-    private static final int DEFAULT_STALL_MILLIS = 1000;
     /** Share of the free speed that a loaded motor can be expected to reach. */
     private static final double USABLE_SHARE = 0.9;
 
@@ -60,7 +58,6 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
         reg = regulator == null ? port.getRegulator() : regulator;
         MAX_SPEED_AT_9V = maxSpeed;
         reg.setControlParamaters(typ, moveP, moveI, moveD, holdP, holdI, holdD, offset);
-        reg.setStallThreshold(DEFAULT_STALL_ERROR_DEGREES, DEFAULT_STALL_MILLIS);
     }
 
     /**

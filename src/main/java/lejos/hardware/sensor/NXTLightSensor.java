@@ -16,7 +16,8 @@ public class NXTLightSensor extends AnalogSensor implements LampController, Sens
 
     /** Sets the modes and switches the lamp on. */
     protected void init() {
-        setModes(new SensorMode[] {new LightMode("Red", TYPE_LIGHT_ACTIVE), new LightMode("Ambient", TYPE_LIGHT_INACTIVE)});
+        setModes(new SensorMode[] {
+            new LightMode(this, "Red", TYPE_LIGHT_ACTIVE), new LightMode(this, "Ambient", TYPE_LIGHT_INACTIVE)});
         setFloodlight(true);
     }
 
@@ -69,32 +70,5 @@ public class NXTLightSensor extends AnalogSensor implements LampController, Sens
     /** Mode "Ambient": light of the surroundings. */
     public SensorMode getAmbientMode() {
         return getMode(1);
-    }
-
-    /** Light measured with the lamp as one type number sets it. */
-    private final class LightMode implements SensorMode {
-        private final String name;
-        private final int type;
-
-        LightMode(String name, int type) {
-            this.name = name;
-            this.type = type;
-        }
-
-        @Override
-        public int sampleSize() {
-            return 1;
-        }
-
-        @Override
-        public void fetchSample(float[] sample, int offset) {
-            switchType(type, SWITCH_DELAY);
-            sample[offset] = 1.0f - normalize(port.getPin1());
-        }
-
-        @Override
-        public String getName() {
-            return name;
-        }
     }
 }

@@ -6,8 +6,6 @@ import lejos.robotics.LampController;
 
 /** The RCX light sensor: mode 0 "Red" with its lamp on, mode 1 "Ambient" with its lamp off; values 0 (dark) to 1. */
 public class RCXLightSensor extends AnalogSensor implements SensorConstants, LampController {
-    private static final long SWITCH_DELAY = 10;
-
     /**
      * A sensor on a port that is opened now and closed with the sensor; its lamp is on.
      *
@@ -20,7 +18,8 @@ public class RCXLightSensor extends AnalogSensor implements SensorConstants, Lam
 
     /** Sets the modes and switches the lamp on. */
     protected void init() {
-        setModes(new SensorMode[] {new LightMode("Red", TYPE_REFLECTION), new LightMode("Ambient", TYPE_CUSTOM)});
+        setModes(new SensorMode[] {
+            new LightMode(this, "Red", TYPE_REFLECTION), new LightMode(this, "Ambient", TYPE_CUSTOM)});
         setFloodlight(true);
     }
 
@@ -36,7 +35,7 @@ public class RCXLightSensor extends AnalogSensor implements SensorConstants, Lam
 
     @Override
     public void setFloodlight(boolean floodlight) {
-        switchType(floodlight ? TYPE_REFLECTION : TYPE_CUSTOM, SWITCH_DELAY);
+        switchType(floodlight ? TYPE_REFLECTION : TYPE_CUSTOM, LightMode.SWITCH_DELAY);
     }
 
     /** Switches the lamp: {@link Color#RED} on, {@link Color#NONE} off; any other colour is refused with false. */
@@ -57,32 +56,5 @@ public class RCXLightSensor extends AnalogSensor implements SensorConstants, Lam
     /** Mode "Ambient": light of the surroundings. */
     public SensorMode getAmbientMode() {
         return getMode(1);
-    }
-
-    /** Light measured with the lamp as one type number sets it. */
-    private final class LightMode implements SensorMode {
-        private final String name;
-        private final int type;
-
-        LightMode(String name, int type) {
-            this.name = name;
-            this.type = type;
-        }
-
-        @Override
-        public int sampleSize() {
-            return 1;
-        }
-
-        @Override
-        public void fetchSample(float[] sample, int offset) {
-            switchType(type, SWITCH_DELAY);
-            sample[offset] = 1.0f - normalize(port.getPin1());
-        }
-
-        @Override
-        public String getName() {
-            return name;
-        }
     }
 }

@@ -1,0 +1,13 @@
+package brickless.kernel;
+
+import java.util.List;
+
+/** Argument source: the back-ends that this JVM can run. */
+final class Backends {
+    private Backends() {
+    }
+
+    static List<BackendChoice> available() {
+        return List.of(BackendChoice.THREADS);
+    }
+}
