@@ -24,4 +24,7 @@ public interface KeySocket {
 
     /** Presses or releases a key by program ({@code Key.simulateEvent}). */
     void simulate(int keyMask, boolean down);
+
+    /** Whether somebody watches the brick and can press keys. If not, nothing waits for a key that only dismisses a message. */
+    boolean attended();
 }

@@ -16,6 +16,7 @@ public final class KeyPad implements KeySocket {
     private final KeyWait programWait = new KeyWait();
     private int held;
     private int simulated;
+    private boolean attended;
 
     /** Keys that nobody presses. */
     public KeyPad(Processor processor, PanelListener listener) {
@@ -53,6 +54,16 @@ public final class KeyPad implements KeySocket {
             simulated = down ? simulated | keyMask & ALL_KEYS : simulated & ~keyMask;
         }
         announce(before, KeyOrigin.PROGRAM);
+    }
+
+    @Override
+    public synchronized boolean attended() {
+        return attended;
+    }
+
+    /** Tells whether somebody watches the brick and can press keys; at first nobody does. */
+    public synchronized void setAttended(boolean attended) {
+        this.attended = attended;
     }
 
     /** Presses keys by hand; keys that are down already stay down. */

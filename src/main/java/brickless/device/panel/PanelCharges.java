@@ -1,5 +1,7 @@
 package brickless.device.panel;
 
+import brickless.kernel.Costs;
+
 /** Processor time of panel calls on the brick's 300 MHz ARM9: estimates, in nanoseconds. */
 final class PanelCharges {
     /** Reading the key device. Estimate. */
@@ -13,7 +15,7 @@ final class PanelCharges {
     /** Any drawing call. Estimate. */
     static final long DRAW_NANOS = 2_000;
     /** One pixel of a drawing, such that a text line of 17 × 10 × 16 pixels takes 0.5 ms. Estimate. */
-    static final long PIXEL_NANOS = 183;
+    static final long PIXEL_NANOS = Costs.TEXT_LINE_NANOS / (17 * 10 * 16);
 
     private PanelCharges() {}
 }

@@ -12,6 +12,10 @@ public class EV3LCD implements CommonLCD {
     public static final int SCREEN_HEIGHT = 128;
     /** Period of the automatic copy to the screen in milliseconds. */
     public static final int DEFAULT_REFRESH_PERIOD = 250;
+    /** Bytes per row of the screen. */
+    protected static final int SCREEN_MEM_WIDTH = 23;
+    /** Bytes of the screen. */
+    protected static final int LCD_BUFFER_LENGTH = SCREEN_MEM_WIDTH * SCREEN_HEIGHT;
     /** Name of the layer that programs draw on. */
     static final String PROGRAM_LAYER = "LCD";
 
@@ -59,7 +63,7 @@ public class EV3LCD implements CommonLCD {
     }
 
     /** Reports the work of a drawing call, so that it takes time. */
-    final void spend(int pixels) {
+    void spend(int pixels) {
         BrickAccess.present().ifPresent(brick -> brick.screen().drawn(Math.max(0, pixels)));
     }
 

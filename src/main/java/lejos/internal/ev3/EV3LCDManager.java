@@ -15,6 +15,9 @@ public class EV3LCDManager {
 
     private final List<LCDLayer> layers = new ArrayList<>();
 
+    /** The only one, made by {@link #getLocalLCDManager()}. */
+    private EV3LCDManager() {}
+
     /** The one of the local brick. */
     public static EV3LCDManager getLocalLCDManager() {
         return LOCAL;
@@ -58,7 +61,7 @@ public class EV3LCDManager {
     }
 
     /** One layer of the screen. It is shown while it is open and visible. */
-    public class LCDLayer implements Closeable {
+    public static class LCDLayer implements Closeable {
         private final ScreenSocket screen = BrickAccess.brick().screen();
         private final String name;
         private final byte[] display;
