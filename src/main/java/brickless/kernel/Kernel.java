@@ -77,7 +77,7 @@ public final class Kernel implements VirtualMachine, Processor {
 
     /** Sets the program's main thread and what it does; before {@link Ensemble#run}. */
     public void main(Thread thread, Runnable body) {
-        if (mainThread != null) {
+        if (mainThread != null || ending.killing()) {
             throw new IllegalStateException("a kernel runs one program, once");
         }
         mainThread = Objects.requireNonNull(thread, "thread");
