@@ -13,6 +13,13 @@ public interface Processor {
     /** Charges the running program thread for work; other threads and physics steps may run before it returns. */
     void charge(long nanos);
 
+    /**
+     * Tells that the running program thread did something that matters (a motor command …), so that its next {@code Thread.yield}
+     * is charged as a first one again. Blocking counts by itself.
+     */
+    default void progress() {
+    }
+
     /** A new signal that threads of this program can wait for. */
     Signal newSignal();
 

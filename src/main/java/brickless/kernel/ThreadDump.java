@@ -1,0 +1,84 @@
+package brickless.kernel;
+
+import java.util.List;
+
+/** The program's threads in the program's own terms: names, states, locks and its own source lines. */
+final class ThreadDump {
+    private static final List<String> NOT_THE_PROGRAMS =
+            List.of("brickless.", "lejos.internal.", "java.", "javax.", "jdk.", "sun.", "com.sun.");
+    private static final int MICROS_PER_MILLI = 1_000;
+    private static final int NANOS_PER_MICRO = 1_000;
+
+    private final Backend backend;
+    private final StringBuilder text = new StringBuilder();
+
+    ThreadDump(String title, long timeNanos, Backend backend) {
+        this.backend = backend;
+        long micros = timeNanos / NANOS_PER_MICRO;
+        String fraction = Long.toString(MICROS_PER_MILLI + micros % MICROS_PER_MILLI).substring(1);
+        text.append(title).append(" at ").append(micros / MICROS_PER_MILLI).append('.').append(fraction).append(" ms\n");
+    }
+
+    /**
+     * Lists fibres.
+     *
+     * @param caller the fibre on whose stack this is called, or null if from outside
+     */
+    String of(List<Fibre> fibres, Fibre caller) {
+        for (Fibre fibre : fibres) {
+            append(fibre, fibre == caller ? new Throwable().getStackTrace() : fibre.begun ? backend.stackOf(fibre) : null);
+        }
+        return text.toString();
+    }
+
+    private void append(Fibre fibre, StackTraceElement[] stack) {
+        text.append(name(fibre)).append(' ').append(fibre.threadState());
+        appendReason(fibre);
+        StringBuilder frames = new StringBuilder();
+        if (stack != null) {
+            for (StackTraceElement frame : stack) {
+                if (isPrograms(frame)) {
+                    if (frames.length() == 0) {
+                        text.append(" at ").append(frame.getFileName()).append(':').append(frame.getLineNumber());
+                    }
+                    frames.append("    at ").append(inShort(frame)).append('\n');
+                }
+            }
+        }
+        text.append('\n').append(frames);
+    }
+
+    private void appendReason(Fibre fibre) {
+        switch (fibre.state) {
+            case BLOCKED -> {
+                appendLock(fibre);
+                if (fibre.monitor.owner != null) {
+                    text.append(" held by ").append(name(fibre.monitor.owner));
+                }
+            }
+            case WAITING -> appendLock(fibre);
+            case JOINING -> text.append(" for the end of ").append(name(fibre.joined));
+            case SIGNAL, SIGNAL_INTERRUPTIBLY -> text.append(" for a device");
+            case EXITING -> text.append(" for shutdown hooks");
+            default -> { }
+        }
+    }
+
+    private void appendLock(Fibre fibre) {
+        Object lock = fibre.monitor.lock;
+        text.append(" on ").append(lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName());
+    }
+
+    private static String name(Fibre fibre) {
+        return '"' + fibre.thread.getName() + '"';
+    }
+
+    private static boolean isPrograms(StackTraceElement frame) {
+        return NOT_THE_PROGRAMS.stream().noneMatch(frame.getClassName()::startsWith);
+    }
+
+    /** Without module and class loader, which say nothing to the program's author. */
+    private static StackTraceElement inShort(StackTraceElement frame) {
+        return new StackTraceElement(frame.getClassName(), frame.getMethodName(), frame.getFileName(), frame.getLineNumber());
+    }
+}
