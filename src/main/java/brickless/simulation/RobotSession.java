@@ -1,7 +1,9 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
-import brickless.hardware.BrickHardware;
+import brickless.device.motor.MotorFitting;
+import brickless.device.sensor.SensorFitting;
+import brickless.device.sensor.Surroundings;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.kernel.ProgramEnd;
@@ -22,9 +24,11 @@ final class RobotSession {
     private final ProgramConsole console;
     private final Panel panel;
     private final RobotDevices devices;
+    private final RunTimeFitting fitting = new RunTimeFitting();
     private final RobotRealm realm;
 
-    RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Recorder recorder, Stimulator stimulator) {
+    RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Surroundings surroundings,
+            Recorder recorder, Stimulator stimulator) {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
@@ -32,9 +36,8 @@ final class RobotSession {
         kernel = new Kernel(kernelSettings(settings, arena));
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
         panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, () -> kernel.exit(1));
-        devices = RobotDevices.of(arena, body, kernel, settings.seed(), settings.ideal());
-        BrickHardware brick = new VirtualBrick("EV3", devices, panel.screen(), panel.keys(), panel.leds(), panel.speaker(), console);
-        realm = new RobotRealm(member.program(), kernel, brick);
+        devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
+        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console));
     }
 
     private KernelSettings kernelSettings(SimulationSettings settings, Arena arena) {
@@ -90,10 +93,10 @@ final class RobotSession {
         for (int port = 0; port < 4; port++) {
             if (devices.motor(port).type() != null) {
                 motors.add(new RobotSample.MotorSample((char) ('A' + port), devices.motor(port).encoder(),
-                        devices.motor(port).shaftDegreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
+                        devices.motor(port).degreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
             }
-            if (devices.sensor(port).type() != null) {
-                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).reading(nowNanos)));
+            if (devices.sensor(port).mount() != null) {
+                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).observe(nowNanos)));
             }
         }
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());
@@ -109,6 +112,9 @@ final class RobotSession {
         List<String> notes = new ArrayList<>();
         if (fitted) {
             notes.add(RobotFitter.describe(model));
+        }
+        if (!fitting.plugged().isEmpty()) {
+            notes.add("plugged in when the program opened it: " + String.join(", ", fitting.plugged()));
         }
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");

@@ -1,5 +1,7 @@
 package brickless.simulation;
 
+import brickless.device.sensor.PaintedFloor;
+import brickless.device.sensor.Surroundings;
 import brickless.kernel.Ensemble;
 import brickless.kernel.ProgramEnd;
 import brickless.physics.Arena;
@@ -27,6 +29,10 @@ final class RunEngine {
     /** Time between samples of the trace: 50 ms is smooth enough for replays and small enough for long runs. */
     static final long SAMPLE_NANOS = 50_000_000;
 
+    private static final Pose2 NOWHERE = new Pose2(0, 0, 0);
+    /** Obstacles that moved less, metres or radians, count as unmoved. */
+    private static final double LEAST_DISPLACEMENT = 1e-3;
+
     private final SimulationSettings settings;
     private final Program program;
     private final Optional<RunFolder> folder;
@@ -52,8 +58,9 @@ final class RunEngine {
                 settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
-        stimulator = new Stimulator(settings.stimuli(), arena, recorder);
-        sessions = crew.stream().map(member -> new RobotSession(settings, member, arena, recorder, stimulator)).toList();
+        Surroundings surroundings = new Surroundings(arena, new PaintedFloor(world), settings.seed(), settings.ideal());
+        stimulator = new Stimulator(settings.stimuli(), surroundings, recorder);
+        sessions = crew.stream().map(member -> new RobotSession(settings, member, arena, surroundings, recorder, stimulator)).toList();
         stimulator.drive(sessions);
         sample();
     }
@@ -132,11 +139,17 @@ final class RunEngine {
     private void sample() {
         List<BodySample> bodies = new ArrayList<>();
         for (ObstacleBody obstacle : arena.obstacles()) {
-            if (obstacle.movable() && obstacle.displaced()) {
-                bodies.add(new BodySample(obstacle.name(), obstacle.displacement()));
+            Pose2 displacement = obstacle.description().movable() ? obstacle.displacement() : NOWHERE;
+            if (displaced(displacement)) {
+                bodies.add(new BodySample(obstacle.name(), displacement));
             }
         }
         recorder.sample(new Sample(now, sessions.stream().map(session -> session.sample(now)).toList(), bodies));
+    }
+
+    private static boolean displaced(Pose2 displacement) {
+        return Math.abs(displacement.x()) > LEAST_DISPLACEMENT || Math.abs(displacement.y()) > LEAST_DISPLACEMENT
+                || Math.abs(displacement.headingRadians()) > LEAST_DISPLACEMENT;
     }
 
     private void finish(List<ProgramEnd> ends) {

@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.device.sensor.Surroundings;
 import brickless.physics.Arena;
 import brickless.physics.ObstacleBody;
 import brickless.physics.RobotBody;
@@ -18,15 +19,17 @@ final class Stimulator {
 
     private final PriorityQueue<Due> due = new PriorityQueue<>(Comparator.comparingLong(Due::atNanos).thenComparingLong(Due::order));
     private final Arena arena;
+    private final Surroundings surroundings;
     private final Recorder recorder;
     private final List<Stimulus> initial;
     private List<RobotSession> sessions = List.of();
     private long order;
     private int pressesToCome;
 
-    Stimulator(List<Stimulus> stimuli, Arena arena, Recorder recorder) {
+    Stimulator(List<Stimulus> stimuli, Surroundings surroundings, Recorder recorder) {
         this.initial = stimuli;
-        this.arena = arena;
+        this.surroundings = surroundings;
+        this.arena = surroundings.arena();
         this.recorder = recorder;
     }
 
@@ -74,14 +77,14 @@ final class Stimulator {
             first.panel().keys().press(press.keyMask());
             later(press.atNanos() + press.forNanos(), () -> first.panel().keys().release(press.keyMask()));
         } else if (stimulus instanceof Stimulus.Push push) {
-            first.devices().sensor(push.port()).push(true);
-            later(push.atNanos() + push.forNanos(), () -> first.devices().sensor(push.port()).push(false));
+            first.devices().sensor(push.port()).setPushed(true);
+            later(push.atNanos() + push.forNanos(), () -> first.devices().sensor(push.port()).setPushed(false));
         } else if (stimulus instanceof Stimulus.Remote remote) {
-            sessions.forEach(session -> session.devices().remote(remote.channel(), remote.code()));
-            later(remote.atNanos() + remote.forNanos(), () -> sessions.forEach(session -> session.devices().remote(remote.channel(), 0)));
+            sessions.forEach(session -> session.devices().remote().press(remote.channel(), remote.code()));
+            later(remote.atNanos() + remote.forNanos(), () -> sessions.forEach(session -> session.devices().remote().press(remote.channel(), 0)));
         } else if (stimulus instanceof Stimulus.Clap clap) {
-            sessions.forEach(session -> session.devices().soundLevel(clap.decibels()));
-            later(clap.atNanos() + CLAP_NANOS, () -> sessions.forEach(session -> session.devices().soundLevel(0)));
+            surroundings.setSoundDecibels(clap.decibels());
+            later(clap.atNanos() + CLAP_NANOS, () -> surroundings.setSoundDecibels(Surroundings.QUIET_DECIBELS));
         } else if (stimulus instanceof Stimulus.Battery battery) {
             first.devices().battery().setOpenVolts(battery.volts());
         } else if (stimulus instanceof Stimulus.Move move) {
