@@ -91,6 +91,7 @@ public class RCXRotationSensor extends AnalogSensor implements Tachometer, Senso
     protected class Reader extends Thread {
         private volatile boolean stopped;
         private int degreesPerSecond;
+        private int accepted = getPhase();
         private long lastChange = System.currentTimeMillis();
 
         /** The background thread of the enclosing sensor. */
@@ -100,7 +101,6 @@ public class RCXRotationSensor extends AnalogSensor implements Tachometer, Senso
 
         @Override
         public void run() {
-            int accepted = getPhase();
             int previous = accepted;
             while (!stopped) {
                 Delay.msDelay(UPDATE_TIME);

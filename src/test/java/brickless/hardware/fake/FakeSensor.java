@@ -89,8 +89,8 @@ public final class FakeSensor implements SensorSocket {
     /** Analogue pins with settable converter values. */
     public static final class FakeAnalog implements AnalogChannel {
         private final List<String> log;
-        private int pin1;
-        private int pin6;
+        private volatile int pin1;
+        private volatile int pin6;
         private float[] colours = {};
 
         FakeAnalog(List<String> log) {

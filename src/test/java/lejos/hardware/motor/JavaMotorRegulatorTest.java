@@ -61,12 +61,10 @@ class JavaMotorRegulatorTest {
     }
 
     @Test
-    void aReversalSlowsDownToZeroWithEvents() {
+    void aReversalSlowsDownToZeroWithEvents() throws InterruptedException {
         listen();
         motor.rotate(400, true);
-        while (motor.getRotationSpeed() < 600) {
-            Thread.onSpinWait();
-        }
+        port.awaitDegrees(100);
         motor.rotateTo(0);
         assertEquals(0, motor.getTachoCount(), 3);
         assertEquals(List.of("started", "stopped", "started", "stopped"), events);
@@ -118,13 +116,12 @@ class JavaMotorRegulatorTest {
     }
 
     @Test
-    void speedIsChangedWhileRunning() {
+    void speedIsChangedWhileRunning() throws InterruptedException {
         motor.setSpeed(100);
         motor.forward();
         motor.setSpeed(300);
-        while (motor.getRotationSpeed() != 300) {
-            Thread.onSpinWait();
-        }
+        port.awaitDegrees(60);
+        assertEquals(300, motor.getRotationSpeed());
         assertTrue(motor.isMoving());
     }
 
