@@ -120,6 +120,11 @@ public class CompletableFuture<T> extends java.util.concurrent.CompletableFuture
         return future;
     }
 
+    /** Stages of a future of this class are of this class: see {@link #newIncompleteFuture}. */
+    private static <U> CompletableFuture<U> own(java.util.concurrent.CompletableFuture<U> stage) {
+        return (CompletableFuture<U>) stage;
+    }
+
     /** Chooses the method of the JDK among the overloaded ones. */
     private static <U> java.util.concurrent.CompletionStage<U> original(CompletionStage<U> stage) {
         return stage;
@@ -208,7 +213,7 @@ public class CompletableFuture<T> extends java.util.concurrent.CompletableFuture
 
     @Override
     public CompletableFuture<T> copy() {
-        return (CompletableFuture<T>) super.copy();
+        return own(super.copy());
     }
 
     /** A copy; unlike the original's it may be cast to a CompletableFuture and completed on its own. */
@@ -224,225 +229,225 @@ public class CompletableFuture<T> extends java.util.concurrent.CompletableFuture
 
     @Override
     public <U> CompletableFuture<U> thenApply(Function<? super T, ? extends U> fn) {
-        return (CompletableFuture<U>) super.thenApply(fn);
+        return own(super.thenApply(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> thenApplyAsync(Function<? super T, ? extends U> fn) {
-        return (CompletableFuture<U>) super.thenApplyAsync(fn);
+        return own(super.thenApplyAsync(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> thenApplyAsync(Function<? super T, ? extends U> fn, Executor executor) {
-        return (CompletableFuture<U>) super.thenApplyAsync(fn, executor);
+        return own(super.thenApplyAsync(fn, executor));
     }
 
     @Override
     public CompletableFuture<Void> thenAccept(Consumer<? super T> action) {
-        return (CompletableFuture<Void>) super.thenAccept(action);
+        return own(super.thenAccept(action));
     }
 
     @Override
     public CompletableFuture<Void> thenAcceptAsync(Consumer<? super T> action) {
-        return (CompletableFuture<Void>) super.thenAcceptAsync(action);
+        return own(super.thenAcceptAsync(action));
     }
 
     @Override
     public CompletableFuture<Void> thenAcceptAsync(Consumer<? super T> action, Executor executor) {
-        return (CompletableFuture<Void>) super.thenAcceptAsync(action, executor);
+        return own(super.thenAcceptAsync(action, executor));
     }
 
     @Override
     public CompletableFuture<Void> thenRun(Runnable action) {
-        return (CompletableFuture<Void>) super.thenRun(action);
+        return own(super.thenRun(action));
     }
 
     @Override
     public CompletableFuture<Void> thenRunAsync(Runnable action) {
-        return (CompletableFuture<Void>) super.thenRunAsync(action);
+        return own(super.thenRunAsync(action));
     }
 
     @Override
     public CompletableFuture<Void> thenRunAsync(Runnable action, Executor executor) {
-        return (CompletableFuture<Void>) super.thenRunAsync(action, executor);
+        return own(super.thenRunAsync(action, executor));
     }
 
     @Override
     public <U, V> CompletableFuture<V> thenCombine(
             CompletionStage<? extends U> other, BiFunction<? super T, ? super U, ? extends V> fn) {
-        return (CompletableFuture<V>) super.thenCombine(original(other), fn);
+        return own(super.thenCombine(original(other), fn));
     }
 
     @Override
     public <U, V> CompletableFuture<V> thenCombineAsync(
             CompletionStage<? extends U> other, BiFunction<? super T, ? super U, ? extends V> fn) {
-        return (CompletableFuture<V>) super.thenCombineAsync(original(other), fn);
+        return own(super.thenCombineAsync(original(other), fn));
     }
 
     @Override
     public <U, V> CompletableFuture<V> thenCombineAsync(
             CompletionStage<? extends U> other, BiFunction<? super T, ? super U, ? extends V> fn, Executor executor) {
-        return (CompletableFuture<V>) super.thenCombineAsync(original(other), fn, executor);
+        return own(super.thenCombineAsync(original(other), fn, executor));
     }
 
     @Override
     public <U> CompletableFuture<Void> thenAcceptBoth(
             CompletionStage<? extends U> other, BiConsumer<? super T, ? super U> action) {
-        return (CompletableFuture<Void>) super.thenAcceptBoth(original(other), action);
+        return own(super.thenAcceptBoth(original(other), action));
     }
 
     @Override
     public <U> CompletableFuture<Void> thenAcceptBothAsync(
             CompletionStage<? extends U> other, BiConsumer<? super T, ? super U> action) {
-        return (CompletableFuture<Void>) super.thenAcceptBothAsync(original(other), action);
+        return own(super.thenAcceptBothAsync(original(other), action));
     }
 
     @Override
     public <U> CompletableFuture<Void> thenAcceptBothAsync(
             CompletionStage<? extends U> other, BiConsumer<? super T, ? super U> action, Executor executor) {
-        return (CompletableFuture<Void>) super.thenAcceptBothAsync(original(other), action, executor);
+        return own(super.thenAcceptBothAsync(original(other), action, executor));
     }
 
     @Override
     public CompletableFuture<Void> runAfterBoth(CompletionStage<?> other, Runnable action) {
-        return (CompletableFuture<Void>) super.runAfterBoth(original(other), action);
+        return own(super.runAfterBoth(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> runAfterBothAsync(CompletionStage<?> other, Runnable action) {
-        return (CompletableFuture<Void>) super.runAfterBothAsync(original(other), action);
+        return own(super.runAfterBothAsync(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> runAfterBothAsync(CompletionStage<?> other, Runnable action, Executor executor) {
-        return (CompletableFuture<Void>) super.runAfterBothAsync(original(other), action, executor);
+        return own(super.runAfterBothAsync(original(other), action, executor));
     }
 
     @Override
     public <U> CompletableFuture<U> applyToEither(CompletionStage<? extends T> other, Function<? super T, U> fn) {
-        return (CompletableFuture<U>) super.applyToEither(original(other), fn);
+        return own(super.applyToEither(original(other), fn));
     }
 
     @Override
     public <U> CompletableFuture<U> applyToEitherAsync(CompletionStage<? extends T> other, Function<? super T, U> fn) {
-        return (CompletableFuture<U>) super.applyToEitherAsync(original(other), fn);
+        return own(super.applyToEitherAsync(original(other), fn));
     }
 
     @Override
     public <U> CompletableFuture<U> applyToEitherAsync(
             CompletionStage<? extends T> other, Function<? super T, U> fn, Executor executor) {
-        return (CompletableFuture<U>) super.applyToEitherAsync(original(other), fn, executor);
+        return own(super.applyToEitherAsync(original(other), fn, executor));
     }
 
     @Override
     public CompletableFuture<Void> acceptEither(CompletionStage<? extends T> other, Consumer<? super T> action) {
-        return (CompletableFuture<Void>) super.acceptEither(original(other), action);
+        return own(super.acceptEither(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> acceptEitherAsync(CompletionStage<? extends T> other, Consumer<? super T> action) {
-        return (CompletableFuture<Void>) super.acceptEitherAsync(original(other), action);
+        return own(super.acceptEitherAsync(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> acceptEitherAsync(
             CompletionStage<? extends T> other, Consumer<? super T> action, Executor executor) {
-        return (CompletableFuture<Void>) super.acceptEitherAsync(original(other), action, executor);
+        return own(super.acceptEitherAsync(original(other), action, executor));
     }
 
     @Override
     public CompletableFuture<Void> runAfterEither(CompletionStage<?> other, Runnable action) {
-        return (CompletableFuture<Void>) super.runAfterEither(original(other), action);
+        return own(super.runAfterEither(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> runAfterEitherAsync(CompletionStage<?> other, Runnable action) {
-        return (CompletableFuture<Void>) super.runAfterEitherAsync(original(other), action);
+        return own(super.runAfterEitherAsync(original(other), action));
     }
 
     @Override
     public CompletableFuture<Void> runAfterEitherAsync(CompletionStage<?> other, Runnable action, Executor executor) {
-        return (CompletableFuture<Void>) super.runAfterEitherAsync(original(other), action, executor);
+        return own(super.runAfterEitherAsync(original(other), action, executor));
     }
 
     @Override
     public <U> CompletableFuture<U> thenCompose(
             Function<? super T, ? extends java.util.concurrent.CompletionStage<U>> fn) {
-        return (CompletableFuture<U>) super.thenCompose(fn);
+        return own(super.thenCompose(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> thenComposeAsync(
             Function<? super T, ? extends java.util.concurrent.CompletionStage<U>> fn) {
-        return (CompletableFuture<U>) super.thenComposeAsync(fn);
+        return own(super.thenComposeAsync(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> thenComposeAsync(
             Function<? super T, ? extends java.util.concurrent.CompletionStage<U>> fn, Executor executor) {
-        return (CompletableFuture<U>) super.thenComposeAsync(fn, executor);
+        return own(super.thenComposeAsync(fn, executor));
     }
 
     @Override
     public <U> CompletableFuture<U> handle(BiFunction<? super T, Throwable, ? extends U> fn) {
-        return (CompletableFuture<U>) super.handle(fn);
+        return own(super.handle(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> handleAsync(BiFunction<? super T, Throwable, ? extends U> fn) {
-        return (CompletableFuture<U>) super.handleAsync(fn);
+        return own(super.handleAsync(fn));
     }
 
     @Override
     public <U> CompletableFuture<U> handleAsync(BiFunction<? super T, Throwable, ? extends U> fn, Executor executor) {
-        return (CompletableFuture<U>) super.handleAsync(fn, executor);
+        return own(super.handleAsync(fn, executor));
     }
 
     @Override
     public CompletableFuture<T> whenComplete(BiConsumer<? super T, ? super Throwable> action) {
-        return (CompletableFuture<T>) super.whenComplete(action);
+        return own(super.whenComplete(action));
     }
 
     @Override
     public CompletableFuture<T> whenCompleteAsync(BiConsumer<? super T, ? super Throwable> action) {
-        return (CompletableFuture<T>) super.whenCompleteAsync(action);
+        return own(super.whenCompleteAsync(action));
     }
 
     @Override
     public CompletableFuture<T> whenCompleteAsync(BiConsumer<? super T, ? super Throwable> action, Executor executor) {
-        return (CompletableFuture<T>) super.whenCompleteAsync(action, executor);
+        return own(super.whenCompleteAsync(action, executor));
     }
 
     @Override
     public CompletableFuture<T> exceptionally(Function<Throwable, ? extends T> fn) {
-        return (CompletableFuture<T>) super.exceptionally(fn);
+        return own(super.exceptionally(fn));
     }
 
     @Override
     public CompletableFuture<T> exceptionallyAsync(Function<Throwable, ? extends T> fn) {
-        return (CompletableFuture<T>) super.exceptionallyAsync(fn);
+        return own(super.exceptionallyAsync(fn));
     }
 
     @Override
     public CompletableFuture<T> exceptionallyAsync(Function<Throwable, ? extends T> fn, Executor executor) {
-        return (CompletableFuture<T>) super.exceptionallyAsync(fn, executor);
+        return own(super.exceptionallyAsync(fn, executor));
     }
 
     @Override
     public CompletableFuture<T> exceptionallyCompose(
             Function<Throwable, ? extends java.util.concurrent.CompletionStage<T>> fn) {
-        return (CompletableFuture<T>) super.exceptionallyCompose(fn);
+        return own(super.exceptionallyCompose(fn));
     }
 
     @Override
     public CompletableFuture<T> exceptionallyComposeAsync(
             Function<Throwable, ? extends java.util.concurrent.CompletionStage<T>> fn) {
-        return (CompletableFuture<T>) super.exceptionallyComposeAsync(fn);
+        return own(super.exceptionallyComposeAsync(fn));
     }
 
     @Override
     public CompletableFuture<T> exceptionallyComposeAsync(
             Function<Throwable, ? extends java.util.concurrent.CompletionStage<T>> fn, Executor executor) {
-        return (CompletableFuture<T>) super.exceptionallyComposeAsync(fn, executor);
+        return own(super.exceptionallyComposeAsync(fn, executor));
     }
 }

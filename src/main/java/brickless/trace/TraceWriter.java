@@ -47,7 +47,7 @@ public final class TraceWriter implements AutoCloseable {
             line.seconds("t", sample.timeNanos()).text("type", "sample");
             line.objects("robots", sample.robots(), TraceWriter::robot);
             if (!sample.bodies().isEmpty()) {
-                line.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.pose()));
+                line.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.displacement()));
             }
         }));
     }
@@ -58,7 +58,7 @@ public final class TraceWriter implements AutoCloseable {
                 .number("tacho", motor.tachoDegrees(), 2).number("speed", motor.degreesPerSecond(), 1)
                 .number("duty", motor.dutyPercent(), 1).number("amperes", motor.amperes(), 3));
         line.objects("sensors", robot.sensors(), (sensor, fields) -> fields.integer("port", sensor.port()).text("kind", sensor.kind())
-                .numbers("values", sensor.values(), 4));
+                .number("value", sensor.value(), 4));
         line.number("volts", robot.batteryVolts(), 3);
     }
 

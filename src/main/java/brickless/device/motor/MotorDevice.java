@@ -244,6 +244,16 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         return regulator.state();
     }
 
+    /** Speed of the motor's shaft, degrees per second; charges nothing. */
+    public double degreesPerSecond() {
+        return Math.toDegrees(shaft.speedRadiansPerSecond());
+    }
+
+    /** Duty applied by the bridge, −100 to 100; 0 when braking or coasting. */
+    public double dutyPercent() {
+        return motor == null ? 0 : motor.duty() * FULL_DUTY;
+    }
+
     /** Winding current, amperes, signed. */
     public double amperes() {
         return motor == null ? 0 : motor.amperes();

@@ -1,0 +1,12 @@
+package brickless.device.sensor;
+
+/** What a colour sensor looks down on. */
+@FunctionalInterface
+public interface FloorColour {
+    /**
+     * Colour of a point as drawn.
+     *
+     * @return sRGB as {@code 0xRRGGBB}, or −1 where there is no floor
+     */
+    int at(double xMetres, double yMetres);
+}
