@@ -43,6 +43,11 @@ final class DcMotor {
         shaft.drive(gain * duty * volts, gain * constants.backEmfConstant(), friction);
     }
 
+    /** Duty of the bridge, −1 to 1. */
+    double duty() {
+        return duty;
+    }
+
     /** Current in the winding at the start of the step, amperes, signed. */
     double amperes() {
         return amperes;
