@@ -66,6 +66,16 @@ public final class ObstacleBody implements Solid {
         return description;
     }
 
+    /** Whether it can be pushed. */
+    public boolean movable() {
+        return description.movable();
+    }
+
+    /** Whether it is not exactly where it was drawn. */
+    public boolean displaced() {
+        return body.getAngle() != 0 || body.getPosition().x != Decimetres.of(centre.x()) || body.getPosition().y != Decimetres.of(centre.y());
+    }
+
     /** False once removed. */
     public boolean present() {
         return body.isActive();
