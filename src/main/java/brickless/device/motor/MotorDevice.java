@@ -246,21 +246,12 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         return regulator.state();
     }
 
-<<<<<<< HEAD
-    /** Speed of the motor's shaft, degrees per second; charges nothing. */
-    public double degreesPerSecond() {
-        return Math.toDegrees(shaft.speedRadiansPerSecond());
-    }
-
-    /** Duty applied by the bridge, −100 to 100; 0 when braking or coasting. */
-=======
     /** Speed of the motor's shaft at the end of the last step, degrees per second. */
     public double shaftDegreesPerSecond() {
         return Angles.degreesFromRadians(shaft.speedRadiansPerSecond());
     }
 
     /** Duty of the bridge, −100 to 100; 0 when braking, coasting or empty. */
->>>>>>> physics
     public double dutyPercent() {
         return motor == null ? 0 : motor.duty() * FULL_DUTY;
     }
