@@ -96,7 +96,7 @@ final class RobotSession {
                         devices.motor(port).shaftDegreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
             }
             if (devices.sensor(port).mount() != null) {
-                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).observe(nowNanos)));
+                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).reading(nowNanos)));
             }
         }
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());
