@@ -55,9 +55,9 @@ final class RunOptions {
     @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
     Path stimuli;
 
-    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonPolicyName.class,
+    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonsConverter.class,
             description = "auto: keys the program waits for are pressed; none: never (default: auto).")
-    Boolean pressButtons;
+    Buttons buttons;
 
     @Option(names = "--until", paramLabel = "GOAL", converter = GoalConverter.class,
             description = "zone:NAME or exit: the run succeeds only if this is reached.")
@@ -84,7 +84,7 @@ final class RunOptions {
         try {
             World arena = library.world(world);
             SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(world).seed(seed).limit(limit).ideal(ideal)
-                    .pressButtons(pressButtons).backend(backend).goal(Optional.ofNullable(goal))
+                    .pressButtons(buttons == Buttons.AUTO).backend(backend).goal(Optional.ofNullable(goal))
                     .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
             if (!robot.equals("auto")) {
                 settings.robot(library.robot(robot));
@@ -111,12 +111,16 @@ final class RunOptions {
         }
     }
 
-    private static final class ButtonPolicyName implements ITypeConverter<Boolean> {
-        @Override public Boolean convert(String value) {
-            if (!value.equals("auto") && !value.equals("none")) {
-                throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
-            }
-            return value.equals("auto");
+    /** Who presses the keys that a program waits for. */
+    enum Buttons { AUTO, NONE }
+
+    private static final class ButtonsConverter implements ITypeConverter<Buttons> {
+        @Override public Buttons convert(String value) {
+            return switch (value) {
+                case "auto" -> Buttons.AUTO;
+                case "none" -> Buttons.NONE;
+                default -> throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
+            };
         }
     }
 
