@@ -25,6 +25,8 @@ import picocli.CommandLine.TypeConversionException;
 
 /** What the commands that run a program have in common. */
 final class RunOptions {
+    private static final long DEFAULT_LIMIT_MILLIS = 60_000;
+
     @Parameters(index = "0", paramLabel = "PROGRAM",
             description = "Class name, .java or .class file, directory of sources or classes, or jar.")
     String program;
@@ -95,6 +97,27 @@ final class RunOptions {
             return settings.build();
         } catch (DescriptionException e) {
             throw new UsageException(e.getMessage());
+        }
+    }
+
+    /** The command that runs the same again, without a schedule seed. */
+    String commandLine() {
+        StringBuilder words = new StringBuilder("brickless run ").append(program);
+        append(words, "--main", main);
+        append(words, "--classpath", classPath.isEmpty() ? null : classPath);
+        append(words, "--world", world.equals("pen") ? null : world);
+        append(words, "--robot", robot.equals("auto") ? null : robot);
+        append(words, "--for", limit.toMillis() == DEFAULT_LIMIT_MILLIS ? null : limit.toMillis() + "ms");
+        append(words, "--seed", seed == 1 ? null : String.valueOf(seed));
+        append(words, "--stimuli", stimuli == null ? null : stimuli.toString());
+        append(words, "--buttons", buttons == Buttons.AUTO ? null : "none");
+        append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
+        return words.append(ideal ? " --ideal" : "").toString();
+    }
+
+    private static void append(StringBuilder words, String option, String value) {
+        if (value != null) {
+            words.append(' ').append(option).append(' ').append(value.contains(" ") ? "'" + value + "'" : value);
         }
     }
 
