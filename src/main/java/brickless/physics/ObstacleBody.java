@@ -99,6 +99,14 @@ public final class ObstacleBody implements Solid {
         return new Point2(Decimetres.metres(body.getPosition().x), Decimetres.metres(body.getPosition().y));
     }
 
+    /** Kinetic energy, joules. */
+    public double kineticEnergyJoules() {
+        double vx = Decimetres.metres(body.m_linearVelocity.x);
+        double vy = Decimetres.metres(body.m_linearVelocity.y);
+        double spin = body.m_angularVelocity;
+        return (body.m_mass * (vx * vx + vy * vy) + Decimetres.inertia(body.m_I) * spin * spin) / 2;
+    }
+
     void place(Pose2 pose) {
         body.setTransform(new Vec2(Decimetres.of(pose.x()), Decimetres.of(pose.y())), (float) pose.headingRadians());
         body.setLinearVelocity(new Vec2());
