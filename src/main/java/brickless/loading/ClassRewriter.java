@@ -42,7 +42,8 @@ final class ClassRewriter {
         ClassReader reader = ClassFiles.reader(file, name);
         ClassNode type = new ClassNode();
         try {
-            reader.accept(new ClassRemapper(type, replacements), ClassReader.EXPAND_FRAMES);
+            boolean meansTheJdk = JdkReplacements.isReplacement(name);
+            reader.accept(meansTheJdk ? type : new ClassRemapper(type, replacements), ClassReader.EXPAND_FRAMES);
         } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
             throw ClassFiles.damaged(file, name, damaged);
         }

@@ -58,9 +58,11 @@ final class KeyPolls {
         if (nanosLeft <= 0) {
             return false;
         }
-        int changed = socket.awaitChange(state, nanosLeft);
+        if (socket.awaitChange(state, nanosLeft) == state) {
+            return false;
+        }
         sleepUntilPoll();
-        return changed != state && System.nanoTime() < lastPollNanos();
+        return System.nanoTime() < lastPollNanos();
     }
 
     /** The first multiple of the period, at least one, that reaches the time limit. */
