@@ -5,7 +5,8 @@ import lejos.robotics.Tachometer;
 import lejos.utility.Delay;
 
 /**
- * The RCX rotation sensor: 16 counts per turn, read from four voltage levels by a background thread. It has no sensor modes.
+ * The RCX rotation sensor: 16 counts per turn, read from four voltage levels by a background thread. It has no sensor
+ * modes.
  *
  * <p>The count and the speed are guarded by the lock of the reader.
  */

@@ -15,7 +15,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The software regulator with its own thread on a simulated motor. Every test ends when the regulator says so, however fast it runs. */
+/**
+ * The software regulator with its own thread on a simulated motor. Every test ends when the regulator says so, however
+ * fast it runs.
+ */
 @Timeout(30)
 class JavaMotorRegulatorTest {
     private final SimulatedMotorPort port = new SimulatedMotorPort();

@@ -84,7 +84,8 @@ class BaseSensorTest {
 
     @Test
     void aNegativeIndexThrowsAndOneTooLargeIsNull() {
-        assertEquals("Invalid mode -1", assertThrows(IllegalArgumentException.class, () -> sensor.getMode(-1)).getMessage());
+        assertEquals("Invalid mode -1",
+                assertThrows(IllegalArgumentException.class, () -> sensor.getMode(-1)).getMessage());
         assertNull(sensor.getMode(2));
         assertNull(sensor.getMode(1000));
     }
@@ -105,9 +106,12 @@ class BaseSensorTest {
 
     @Test
     void unknownModesCannotBecomeCurrent() {
-        assertEquals("Invalid mode 2", assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode(2)).getMessage());
-        assertEquals("Invalid mode -1", assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode(-1)).getMessage());
-        assertEquals("Invalid mode Two", assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode("Two")).getMessage());
+        assertEquals("Invalid mode 2",
+                assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode(2)).getMessage());
+        assertEquals("Invalid mode -1",
+                assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode(-1)).getMessage());
+        assertEquals("Invalid mode Two",
+                assertThrows(IllegalArgumentException.class, () -> sensor.setCurrentMode("Two")).getMessage());
         assertEquals(0, sensor.getCurrentMode());
     }
 

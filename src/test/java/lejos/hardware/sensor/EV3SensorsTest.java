@@ -42,7 +42,8 @@ class EV3SensorsTest {
     }
 
     private EV3ColorSensor colour() {
-        brick.sensor(0).plugUart(29, "ev3-color", "COL-REFLECT", "COL-AMBIENT", "COL-COLOR", "REF-RAW", "RGB-RAW", "COL-CAL");
+        brick.sensor(0).plugUart(29, "ev3-color", "COL-REFLECT", "COL-AMBIENT", "COL-COLOR", "REF-RAW", "RGB-RAW",
+                "COL-CAL");
         return new EV3ColorSensor(SensorPort.S1);
     }
 

@@ -126,7 +126,8 @@ class NXTSensorsTest {
         assertEquals(Color.RED, sensor.getFloodlight());
         sensor.setFloodlight(false);
         assertEquals(List.of("ColorID", "Red", "Green", "Blue", "RGB", "None"), sensor.getAvailableModes());
-        assertEquals(List.of("expect NXTColorSensor", "type 13", "type 14", "type 15", "type 16", "type 17", "type 14", "type 17"), log());
+        assertEquals(List.of("expect NXTColorSensor", "type 13", "type 14", "type 15", "type 16", "type 17", "type 14",
+                "type 17"), log());
     }
 
     private NXTUltrasonicSensor ultrasonic() {

@@ -105,7 +105,8 @@ class SensorBasesTest {
 
     /** This test's own classes lie in a leJOS package and are announced by their own names. */
     private List<String> withBaseName(int port) {
-        return brick.sensor(port).log().stream().map(entry -> entry.replace("OwnAnalogSensor", "AnalogSensor")).toList();
+        return brick.sensor(port).log().stream().map(entry ->
+                entry.replace("OwnAnalogSensor", "AnalogSensor")).toList();
     }
 
     @Test

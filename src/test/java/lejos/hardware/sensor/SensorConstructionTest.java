@@ -40,7 +40,8 @@ class SensorConstructionTest {
         for (int i = 0; i < 16; i++) {
             plugSerial(i / 4);
             BaseSensor sensor = SERIAL.get(i % 4).apply(PORTS.get(i / 4));
-            assertTrue(brick.sensor(i / 4).log().contains("initialise " + FIRST_HARDWARE_MODES.get(i % 4)), "case " + i);
+            assertTrue(brick.sensor(i / 4).log().contains("initialise " + FIRST_HARDWARE_MODES.get(i % 4)),
+                    "case " + i);
             sensor.close();
             brick.sensor(i / 4).log().clear();
         }
