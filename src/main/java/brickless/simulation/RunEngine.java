@@ -160,7 +160,7 @@ final class RunEngine {
         if (now % SAMPLE_NANOS != 0) {
             sample();
         }
-        Outcome outcome = OutcomeOf.programs(sessions, ends, journey);
+        Outcome outcome = OutcomeOf.programs(sessions, ends);
         recorder.event(outcome.timeNanos(), sessions.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         report = report(outcome, wallSeconds, recorder.finish());
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, sessions).write(report));
