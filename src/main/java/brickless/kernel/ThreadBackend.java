@@ -4,7 +4,6 @@ import brickless.kernel.hooks.ProgramKilled;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
@@ -34,14 +33,13 @@ final class ThreadBackend implements Backend {
 
     @Override
     public void create(Fibre fibre) {
-        boolean inherit = Thread.currentThread() instanceof Carrier;
-        fibre.stack = new Carrier(fibre, inherit);
+        fibre.stack = new Carrier(fibre, Thread.currentThread() instanceof Carrier);
     }
 
     @Override
     public void start(Fibre first, Consumer<Throwable> failureListener) {
         onFailure = failureListener;
-        carrierOf(first).giveTurn();
+        give(first);
     }
 
     @Override
@@ -58,8 +56,14 @@ final class ThreadBackend implements Backend {
     public void switchTo(Fibre from, Fibre to) {
         Carrier me = carrierOf(from);
         lastLeft = me;
-        carrierOf(to).giveTurn();
-        me.awaitTurn();
+        give(to);
+        for (int i = 0; i < SPINS && lastLeft == me && !me.turn.given(); i++) {
+            Thread.onSpinWait();
+        }
+        me.turn.await();
+        if (abandoned) {
+            throw new ProgramKilled();
+        }
     }
 
     @Override
@@ -68,7 +72,7 @@ final class ThreadBackend implements Backend {
         if (to == null) {
             over.countDown();
         } else {
-            carrierOf(to).giveTurn();
+            give(to);
         }
     }
 
@@ -80,10 +84,17 @@ final class ThreadBackend implements Backend {
     @Override
     public void abandon() {
         abandoned = true;
-        for (Carrier carrier : carriers) {
-            LockSupport.unpark(carrier);
-        }
+        carriers.forEach(carrier -> carrier.turn.release());
         over.countDown();
+    }
+
+    private void give(Fibre fibre) {
+        try {
+            carrierOf(fibre).turn.give();
+        } catch (OutOfMemoryError e) {
+            // The host has no thread left; the program must not take this for its own memory.
+            onFailure.accept(e);
+        }
     }
 
     private static Carrier carrierOf(Fibre fibre) {
@@ -93,10 +104,7 @@ final class ThreadBackend implements Backend {
     /** The host thread of one fibre; started when the fibre first gets the turn. */
     private final class Carrier extends Thread {
         private final Fibre fibre;
-        /** Guarded by the turn of the giver. */
-        private boolean begun;
-        private volatile boolean turn;
-        private volatile boolean parked;
+        private final Turn turn = new Turn(this);
 
         Carrier(Fibre fibre, boolean inheritThreadLocals) {
             super(null, null, "brickless " + fibre.thread.getName(), stackBytes, inheritThreadLocals);
@@ -107,50 +115,16 @@ final class ThreadBackend implements Backend {
 
         @Override
         public void run() {
+            carriers.add(this);
             try {
-                fibre.run();
+                turn.await();
+                if (!abandoned) {
+                    fibre.run();
+                }
             } catch (Throwable e) {
                 onFailure.accept(e);
             } finally {
                 carriers.remove(this);
-            }
-        }
-
-        void giveTurn() {
-            if (begun) {
-                turn = true;
-                if (parked) {
-                    LockSupport.unpark(this);
-                }
-            } else {
-                begun = true;
-                begin();
-            }
-        }
-
-        void awaitTurn() {
-            for (int i = 0; i < SPINS && !turn && lastLeft == this; i++) {
-                Thread.onSpinWait();
-            }
-            parked = true;
-            while (!turn && !abandoned) {
-                LockSupport.park(this);
-                Thread.interrupted();
-            }
-            parked = false;
-            turn = false;
-            if (abandoned) {
-                throw new ProgramKilled();
-            }
-        }
-
-        private void begin() {
-            carriers.add(this);
-            try {
-                start();
-            } catch (Throwable e) {
-                carriers.remove(this);
-                onFailure.accept(e);
             }
         }
     }

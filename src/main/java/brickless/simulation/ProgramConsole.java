@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
@@ -20,6 +21,7 @@ final class ProgramConsole implements ProgramLog {
     private final LongSupplier clock;
     private final IntConsumer exit;
     private final ByteArrayOutputStream[] lines = {new ByteArrayOutputStream(), new ByteArrayOutputStream()};
+    private final List<String> complete = new ArrayList<>();
     private int arbitrators;
     private String failure;
 
@@ -51,8 +53,15 @@ final class ProgramConsole implements ProgramLog {
 
     private void flush(boolean error) {
         ByteArrayOutputStream line = lines[error ? 1 : 0];
-        event(new TraceEvent.PrintEvent(line.toString(StandardCharsets.UTF_8), error));
+        String text = line.toString(StandardCharsets.UTF_8);
+        complete.add(text);
+        event(new TraceEvent.PrintEvent(text, error));
         line.reset();
+    }
+
+    /** Complete lines printed so far, to either stream. */
+    List<String> lines() {
+        return List.copyOf(complete);
     }
 
     /** Records text that the program printed without ending the line. */

@@ -45,6 +45,12 @@ final class RobotFitter {
         }
     }
 
+    /** The usual mount of a sensor that a program opens at a port, 0 to 3. */
+    static RobotModel.SensorMount mount(String lejosClass, int port) {
+        HardwareHints only = new HardwareHints(List.of(), List.of(new HardwareHints.Device("S" + (port + 1), lejosClass, "")), List.of());
+        return fit(only).sensors().get(0);
+    }
+
     /** One line about the fitted robot for the summary. */
     static String describe(RobotModel robot) {
         StringBuilder text = new StringBuilder("robot fitted to the program: ");

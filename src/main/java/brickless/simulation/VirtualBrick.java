@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.device.RobotDevices;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.KeySocket;
 import brickless.hardware.LedSocket;
@@ -10,27 +11,38 @@ import brickless.hardware.ProgramLog;
 import brickless.hardware.ScreenSocket;
 import brickless.hardware.SensorSocket;
 import brickless.hardware.SpeakerSocket;
-import java.util.List;
 
 /** The sockets of one robot's brick, put together. */
-record VirtualBrick(String name, List<? extends MotorSocket> motors, List<? extends SensorSocket> sensors, ScreenSocket screen, KeySocket keys,
-        LedSocket leds, SpeakerSocket speaker, PowerSocket power, ProgramLog log) implements BrickHardware {
-    VirtualBrick {
-        motors = List.copyOf(motors);
-        sensors = List.copyOf(sensors);
-    }
-
+record VirtualBrick(String name, RobotDevices devices, Panel panel, ProgramLog log) implements BrickHardware {
     @Override public MotorSocket motor(int index) {
-        return motors.get(index);
+        return devices.motor(index);
     }
 
     @Override public SensorSocket sensor(int index) {
-        return sensors.get(index);
+        return devices.sensor(index);
     }
 
     @Override public void moveTogether(int[] ports, MoveRequest[] requests) {
-        for (int i = 0; i < ports.length; i++) {
-            motors.get(ports[i]).regulation().move(requests[i]);
-        }
+        devices.moveTogether(ports, requests);
+    }
+
+    @Override public ScreenSocket screen() {
+        return panel.screen();
+    }
+
+    @Override public KeySocket keys() {
+        return panel.keys();
+    }
+
+    @Override public LedSocket leds() {
+        return panel.leds();
+    }
+
+    @Override public SpeakerSocket speaker() {
+        return panel.speaker();
+    }
+
+    @Override public PowerSocket power() {
+        return devices.battery();
     }
 }

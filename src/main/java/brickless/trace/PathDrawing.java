@@ -32,7 +32,7 @@ public final class PathDrawing {
             last.put(robot.name(), robot.pose());
         }
         for (BodySample body : sample.bodies()) {
-            moved.put(body.id(), body.pose());
+            moved.put(body.id(), body.displacement());
         }
     }
 
@@ -49,8 +49,7 @@ public final class PathDrawing {
     public String svg(World world, Map<String, List<List<Point2>>> outlines) {
         StringBuilder extra = new StringBuilder("<g id=\"brickless-run\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
         world.obstacles().stream().filter(obstacle -> moved.containsKey(obstacle.id())).forEach(obstacle -> {
-            Point2 centre = centroid(obstacle.outlines());
-            appendOutlines(extra, obstacle.outlines(), centre, displaced(centre, moved.get(obstacle.id())),
+            appendOutlines(extra, obstacle.outlines(), moved.get(obstacle.id()),
                     "stroke=\"#5d4037\" stroke-width=\"3\" fill=\"#a1887f\" fill-opacity=\"0.75\"");
         });
         int index = 0;
@@ -63,7 +62,7 @@ public final class PathDrawing {
             extra.append("<circle cx=\"").append(millimetres(start.x())).append("\" cy=\"").append(millimetres(start.y()))
                     .append("\" r=\"10\" stroke=\"").append(colour).append("\" stroke-width=\"4\" fill=\"#ffffff\"/>\n");
             List<List<Point2>> body = outlines.getOrDefault(path.getKey(), List.of());
-            appendOutlines(extra, body, new Point2(0, 0), last.get(path.getKey()),
+            appendOutlines(extra, body, last.get(path.getKey()),
                     "stroke=\"" + colour + "\" stroke-width=\"4\" fill=\"" + colour + "\" fill-opacity=\"0.25\"");
             appendNose(extra, last.get(path.getKey()), colour);
         }
@@ -77,35 +76,14 @@ public final class PathDrawing {
         return Math.max(0, svg.lastIndexOf("</"));
     }
 
-    private static Pose2 displaced(Point2 centre, Pose2 displacement) {
-        return new Pose2(centre.x() + displacement.x(), centre.y() + displacement.y(), displacement.headingRadians());
-    }
-
-    private static Point2 centroid(List<List<Point2>> outlines) {
-        double area = 0;
-        double x = 0;
-        double y = 0;
-        for (List<Point2> ring : outlines) {
-            for (int i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-                double cross = ring.get(j).x() * ring.get(i).y() - ring.get(i).x() * ring.get(j).y();
-                area += cross;
-                x += (ring.get(j).x() + ring.get(i).x()) * cross;
-                y += (ring.get(j).y() + ring.get(i).y()) * cross;
-            }
-        }
-        return new Point2(x / (3 * area), y / (3 * area));
-    }
-
-    private static void appendOutlines(StringBuilder out, List<List<Point2>> outlines, Point2 origin, Pose2 pose, String style) {
+    private static void appendOutlines(StringBuilder out, List<List<Point2>> outlines, Pose2 pose, String style) {
         double cos = StrictMath.cos(pose.headingRadians());
         double sin = StrictMath.sin(pose.headingRadians());
         for (List<Point2> ring : outlines) {
             out.append("<polygon ").append(style).append(" points=\"");
             for (Point2 p : ring) {
-                double dx = p.x() - origin.x();
-                double dy = p.y() - origin.y();
-                out.append(millimetres(pose.x() + dx * cos - dy * sin)).append(',')
-                        .append(millimetres(pose.y() + dx * sin + dy * cos)).append(' ');
+                out.append(millimetres(pose.x() + p.x() * cos - p.y() * sin)).append(',')
+                        .append(millimetres(pose.y() + p.x() * sin + p.y() * cos)).append(' ');
             }
             out.append("\"/>\n");
         }

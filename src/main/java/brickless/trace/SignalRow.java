@@ -29,7 +29,7 @@ final class SignalRow {
         }
         for (RobotSample.SensorSample sensor : robot.sensors()) {
             for (int i = 0; i < sensor.values().length; i++) {
-                put(prefix + "S" + sensor.port() + "_" + sensor.kind() + (sensor.values().length > 1 ? "_" + i : ""), sensor.values()[i], 4);
+                put(prefix + "S" + sensor.port() + "_" + sensor.kind() + (i > 0 ? "_" + i : ""), sensor.values()[i], 4);
             }
         }
         put(prefix + "battery_v", robot.batteryVolts(), 3);

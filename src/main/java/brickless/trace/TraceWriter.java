@@ -47,7 +47,7 @@ public final class TraceWriter implements AutoCloseable {
             line.seconds("t", sample.timeNanos()).text("type", "sample");
             line.objects("robots", sample.robots(), TraceWriter::robot);
             if (!sample.bodies().isEmpty()) {
-                line.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.pose()));
+                line.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.displacement()));
             }
         }));
     }

@@ -8,6 +8,8 @@ final class Backends {
     }
 
     static List<BackendChoice> available() {
-        return List.of(BackendChoice.THREADS);
+        return BackendChoice.continuationsAvailable()
+                ? List.of(BackendChoice.THREADS, BackendChoice.CONTINUATIONS)
+                : List.of(BackendChoice.THREADS);
     }
 }

@@ -360,7 +360,7 @@ public class JavaMotorRegulator implements MotorRegulator {
     }
 
     /** The thread that serves all active motors every 4 ms: reads all encoders, computes all powers, sets all powers. */
-    public static class Controller extends Thread {
+    protected static class Controller extends Thread {
         /** Guarded by this. */
         private final List<JavaMotorRegulator> motors = new ArrayList<>();
         private boolean running;

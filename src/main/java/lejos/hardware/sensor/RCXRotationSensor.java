@@ -88,7 +88,7 @@ public class RCXRotationSensor extends AnalogSensor implements Tachometer, Senso
     }
 
     /** Watches the voltage levels; a level counts when it has been read twice in a row. */
-    public class Reader extends Thread {
+    protected class Reader extends Thread {
         private volatile boolean stopped;
         private int degreesPerSecond;
         private long lastChange = System.currentTimeMillis();
