@@ -34,7 +34,6 @@ public final class Ensemble {
         this.kernels = List.copyOf(kernels);
         this.stepHandler = stepHandler;
         this.over = new boolean[kernels.size()];
-        this.boundaryNanos = stepNanos();
         if (kernels.stream().mapToLong(kernel -> kernel.settings().stepNanos()).distinct().count() != 1) {
             throw new IllegalArgumentException("an ensemble needs at least one kernel, and all with the same step length");
         }
@@ -61,10 +60,6 @@ public final class Ensemble {
             watchdog.stop();
             kernels.forEach(Kernel::release);
         }
-    }
-
-    private long stepNanos() {
-        return kernels.get(0).settings().stepNanos();
     }
 
     private StepHandler handlerFor(int index) {

@@ -77,7 +77,7 @@ public final class Kernel implements VirtualMachine, Processor {
 
     /** Sets the program's main thread and what it does; before {@link Ensemble#run}. */
     public void main(Thread thread, Runnable body) {
-        if (mainThread != null) {
+        if (mainThread != null || ending.killing()) {
             throw new IllegalStateException("a kernel runs one program, once");
         }
         mainThread = Objects.requireNonNull(thread, "thread");
@@ -203,7 +203,8 @@ public final class Kernel implements VirtualMachine, Processor {
 
     @Override
     public Thread currentThread() {
-        return scheduler.current().thread;
+        Fibre current = scheduler.current();
+        return current == null ? null : current.thread;
     }
 
     @Override

@@ -20,6 +20,7 @@ final class Scheduler {
     private Backend backend;
     private Heartbeat heartbeat;
     private Fibre current;
+    /** When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another is ready. */
     private long sliceEnd;
     private long switches;
     /** Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside. */
@@ -69,10 +70,8 @@ final class Scheduler {
             enter();
             clock.settle(nanos);
             ending.throwIfKilling();
-            if (clock.now() < sliceEnd) {
+            if (ready.isEmpty() || clock.now() < sliceEnd) {
                 grant();
-            } else if (ready.isEmpty()) {
-                beginSlice();
             } else {
                 preempt();
             }
@@ -97,7 +96,7 @@ final class Scheduler {
         clock.settle(nanos);
         ending.throwIfKilling();
         if (ready.isEmpty()) {
-            beginSlice();
+            grant();
         } else {
             preempt();
         }
@@ -211,7 +210,6 @@ final class Scheduler {
         }
         me.depth = clock.budget().depth();
         activate(next);
-        clock.budget().depth(next.depth);
         switches++;
         backend.switchTo(me, next);
     }
@@ -233,6 +231,9 @@ final class Scheduler {
     }
 
     private void activate(Fibre fibre) {
+        if (fibre != current) {
+            clock.budget().depth(fibre.depth);
+        }
         current = fibre;
         fibre.begun = true;
         fibre.state = FibreState.RUNNING;

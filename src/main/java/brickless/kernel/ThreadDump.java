@@ -6,6 +6,8 @@ import java.util.List;
 final class ThreadDump {
     private static final List<String> NOT_THE_PROGRAMS =
             List.of("brickless.", "lejos.internal.", "java.", "javax.", "jdk.", "sun.", "com.sun.");
+    /** In the names of the JDK's own classes behind lambdas. */
+    private static final String LAMBDA_PROXY = "$$Lambda";
     private static final int MICROS_PER_MILLI = 1_000;
     private static final int NANOS_PER_MICRO = 1_000;
 
@@ -74,7 +76,8 @@ final class ThreadDump {
     }
 
     private static boolean isPrograms(StackTraceElement frame) {
-        return NOT_THE_PROGRAMS.stream().noneMatch(frame.getClassName()::startsWith);
+        String type = frame.getClassName();
+        return !type.contains(LAMBDA_PROXY) && NOT_THE_PROGRAMS.stream().noneMatch(type::startsWith);
     }
 
     /** Without module and class loader, which say nothing to the program's author. */

@@ -53,7 +53,10 @@ public final class FakeProcessor implements Processor {
             return raised;
         }
 
-        @Override public boolean awaitInterruptibly(long timeoutNanos) {
+        @Override public boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException {
+            if (Thread.interrupted()) {
+                throw new InterruptedException();
+            }
             return await(timeoutNanos);
         }
     }

@@ -49,7 +49,9 @@ final class Robot {
 
     /** A program thread that is not started. */
     static Thread thread(String name, Body body) {
-        return new Thread(runnable(body), name);
+        Thread thread = new Thread(runnable(body), name);
+        thread.setDaemon(false);
+        return thread;
     }
 
     static Runnable runnable(Body body) {
