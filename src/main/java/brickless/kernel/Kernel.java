@@ -37,6 +37,7 @@ public final class Kernel implements VirtualMachine, Processor {
     private final Identities identities;
     private final Streams streams = new Streams();
     private KernelListener listener = new KernelListener() { };
+    private String backendName;
     private Turns turns;
     private Thread mainThread;
     private Runnable mainBody;
@@ -110,9 +111,9 @@ public final class Kernel implements VirtualMachine, Processor {
         return scheduler.switches();
     }
 
-    /** {@code threads} or {@code continuation}; known once the run has begun. */
+    /** {@code threads} or {@code continuation}; null before the run. */
     public String backendName() {
-        return scheduler.backend().name();
+        return backendName;
     }
 
     /** How the program ended, or null if it has not. */
@@ -355,6 +356,7 @@ public final class Kernel implements VirtualMachine, Processor {
         turns = newTurns;
         contextLoader = mainThread.getContextClassLoader();
         clock.stepWith(handler);
+        backendName = backend.name();
         scheduler.attach(backend, heartbeat);
         admit(mainThread, mainBody);
         scheduler.begin();
@@ -376,6 +378,7 @@ public final class Kernel implements VirtualMachine, Processor {
 
     /** Lets go of all that belongs to the program. */
     void release() {
+        scheduler.release();
         monitors.clear();
         roster.clear();
         clock.clear();
@@ -383,6 +386,7 @@ public final class Kernel implements VirtualMachine, Processor {
         mainThread = null;
         mainBody = null;
         contextLoader = null;
+        turns = null;
     }
 
     private void end(ProgramEnd.Kind kind) {

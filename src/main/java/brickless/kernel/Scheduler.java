@@ -15,7 +15,7 @@ final class Scheduler {
     private final Schedule schedule;
     private final Roster roster;
     private final DeadlockDetector deadlocks;
-    private final FibreQueue ready = new FibreQueue();
+    private FibreQueue ready = new FibreQueue();
     private KernelListener listener = new KernelListener() { };
     private Backend backend;
     private Heartbeat heartbeat;
@@ -184,6 +184,13 @@ final class Scheduler {
     /** Stops the budget, so that the next back-edge enters the kernel and finds the program being ended. */
     void exhaustBudget() {
         clock.settle(0);
+    }
+
+    /** Lets go of the program after the run. */
+    void release() {
+        current = null;
+        ready = new FibreQueue();
+        backend = null;
     }
 
     /** What runs after the running fibre has ended, already made current; null if the program is over. */
