@@ -40,7 +40,7 @@ final class DeadlockDetector {
     /** Ends the program as deadlocked. */
     void declare() {
         ThreadDump dump = new ThreadDump("deadlock", clock.now(), scheduler.backend());
-        ending.kill(ProgramEnd.Kind.DEADLOCK, clock.now(), 0, dump.of(roster.live(), scheduler.current()));
+        ending.kill(ProgramEnd.Kind.DEADLOCK, clock.now(), 0, dump.of(roster.live()));
     }
 
     private void blockedStill(Fibre fibre, long blocks) {

@@ -162,7 +162,7 @@ public final class Ensemble {
     /** From the watchdog's thread. */
     private void abandonRunaway() {
         Kernel runaway = kernels.get(running);
-        String dump = runaway.dumpFromOutside("runaway");
+        String dump = runaway.dump("runaway");
         runaway.ending().abandon(runaway.nowNanos(), dump);
         abandonAll("ended because " + runaway.settings().name() + " is a runaway\n");
     }

@@ -121,9 +121,9 @@ public final class Kernel implements VirtualMachine, Processor {
         return ending.end();
     }
 
-    /** The program's threads, as in a deadlock's dump; from its threads, a step handler or an event. */
+    /** The program's threads, as in a deadlock's dump; during the run. */
     public String dump(String title) {
-        return new ThreadDump(title, clock.now(), scheduler.backend()).of(roster.live(), scheduler.current());
+        return new ThreadDump(title, clock.now(), scheduler.backend()).of(List.copyOf(roster.live()));
     }
 
     /** Runs an action at a virtual time, between program instructions; a time that has passed means as soon as possible. */
@@ -371,13 +371,11 @@ public final class Kernel implements VirtualMachine, Processor {
         return ending;
     }
 
-    /** What the host's watchdog says about a program that does not come back; from the host. */
-    String dumpFromOutside(String title) {
-        return new ThreadDump(title, clock.now(), scheduler.backend()).of(List.copyOf(roster.live()), null);
-    }
-
-    /** Lets go of all that belongs to the program. */
+    /** Lets go of all that belongs to the program, unless a runaway may still use it. */
     void release() {
+        if (ending.abandoned()) {
+            return;
+        }
         scheduler.release();
         monitors.clear();
         roster.clear();
@@ -410,10 +408,17 @@ public final class Kernel implements VirtualMachine, Processor {
             // Unwound on purpose: the end of the program is on record already.
             assert ending.killing();
         } catch (Throwable e) {
-            uncaughtExceptions.thrown(fibre.thread, e);
+            thrown(fibre, e);
         }
         if (!ending.abandoned()) {
             leave(fibre);
+        }
+    }
+
+    /** What a program throws while it is being ended is nobody's concern. */
+    private void thrown(Fibre fibre, Throwable failure) {
+        if (!ending.killing()) {
+            uncaughtExceptions.thrown(fibre.thread, failure);
         }
     }
 

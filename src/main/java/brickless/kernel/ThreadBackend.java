@@ -13,7 +13,8 @@ import java.util.function.Consumer;
  * parked thread costs some 20 µs, a spinning one less than 1 µs).
  */
 final class ThreadBackend implements Backend {
-    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 2_000 : 0;
+    /** About as long as waking takes. */
+    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 500 : 0;
 
     private final long stackBytes;
     private final CountDownLatch over = new CountDownLatch(1);
