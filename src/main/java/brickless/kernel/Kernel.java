@@ -204,7 +204,8 @@ public final class Kernel implements VirtualMachine, Processor {
 
     @Override
     public Thread currentThread() {
-        return scheduler.current().thread;
+        Fibre current = scheduler.current();
+        return current == null ? null : current.thread;
     }
 
     @Override
