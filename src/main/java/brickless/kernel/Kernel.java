@@ -17,9 +17,10 @@ import java.util.Objects;
  * ProgramEnd end = kernel.run(mainThread, () -&gt; Main.main(args));
  * </pre>
  *
- * <p>A kernel runs once. Methods of {@link VirtualMachine}, {@link #charge}, {@link #progress} and waits for signals belong to the program's
- * threads; {@link #at}, signals, {@link #goalReached}, {@link #timeUp} and {@link #fail} to them, to step handlers and to events.
- * Kernels share nothing with each other: any number may run at the same time on different host threads.
+ * <p>A kernel runs once. Methods of {@link VirtualMachine}, {@link #charge}, {@link #progress} and waits for signals
+ * belong to the program's threads; {@link #at}, signals, {@link #goalReached}, {@link #timeUp} and {@link #fail} to
+ * them, to step handlers and to events. Kernels share nothing with each other: any number may run at the same time on
+ * different host threads.
  */
 public final class Kernel implements VirtualMachine, Processor {
     private static final int NANOS_PER_MILLI = 1_000_000;
@@ -88,8 +89,8 @@ public final class Kernel implements VirtualMachine, Processor {
     /**
      * Runs a program to its end on host threads of its own and waits for it.
      *
-     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted: the program is then ended and the
-     *     interrupt flag kept
+     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted: the program is then
+     *     ended and the interrupt flag kept
      */
     public ProgramEnd run(Thread thread, Runnable body) {
         main(thread, body);
@@ -126,7 +127,10 @@ public final class Kernel implements VirtualMachine, Processor {
         return new ThreadDump(title, clock.now(), scheduler.backend()).of(List.copyOf(roster.live()));
     }
 
-    /** Runs an action at a virtual time, between program instructions; a time that has passed means as soon as possible. */
+    /**
+     * Runs an action at a virtual time, between program instructions; a time that has passed means as soon as
+     * possible.
+     */
     public void at(long timeNanos, Runnable action) {
         clock.schedule(new Event(Objects.requireNonNull(action, "action")), timeNanos);
     }

@@ -6,11 +6,13 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 
 /**
- * The processor of live mode: program threads are real ones, time is the host's, and a pacer thread makes the physics steps.
+ * The processor of live mode: program threads are real ones, time is the host's, and a pacer thread makes the physics
+ * steps.
  *
- * <p>Devices are not thread-safe. Physics steps run under one lock; whoever wires the sockets wraps each socket call in
- * {@link #exclusively}, and waits for signals give the lock up. Charges add up for each thread and are slept off in portions of a
- * millisecond, so that polling loops poll about as often as on a brick and leave the host's processor alone.
+ * <p>Devices are not thread-safe. Physics steps run under one lock; whoever wires the sockets wraps each socket call
+ * in {@link #exclusively}, and waits for signals give the lock up. Charges add up for each thread and are slept off
+ * in portions of a millisecond, so that polling loops poll about as often as on a brick and leave the host's
+ * processor alone.
  */
 public final class LiveProcessor implements Processor, AutoCloseable {
     private static final long SLEPT_OFF_NANOS = 1_000_000L;
@@ -42,7 +44,10 @@ public final class LiveProcessor implements Processor, AutoCloseable {
         pacer.setDaemon(true);
     }
 
-    /** Starts the pacer, a daemon thread: it does not keep the JVM alive. What a step handler throws ends it like any thread. */
+    /**
+     * Starts the pacer, a daemon thread: it does not keep the JVM alive. What a step handler throws ends it like any
+     * thread.
+     */
     public void start() {
         pacer.start();
     }

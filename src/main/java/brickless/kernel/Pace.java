@@ -1,8 +1,9 @@
 package brickless.kernel;
 
 /**
- * Simulated time that follows the host's clock: which steps are due. When the host falls behind by more than {@value #LONGEST_BURST} steps
- * (it was busy, or suspended) the rest is dropped: the simulation is late from then on, but never races. Not thread-safe.
+ * Simulated time that follows the host's clock: which steps are due. When the host falls behind by more than {@value
+ * #LONGEST_BURST} steps (it was busy, or suspended) the rest is dropped: the simulation is late from then on, but
+ * never races. Not thread-safe.
  */
 final class Pace {
     /** Assumption: catching up a tenth of a second goes unnoticed at the usual step of 2 ms. */

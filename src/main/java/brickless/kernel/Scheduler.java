@@ -4,10 +4,11 @@ import brickless.kernel.hooks.Budget;
 import java.util.List;
 
 /**
- * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all wait.
+ * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all
+ * wait.
  *
- * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock itself until
- * something is ready; if that is the same fibre, it just goes on and no stack is switched.
+ * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock
+ * itself until something is ready; if that is the same fibre, it just goes on and no stack is switched.
  */
 final class Scheduler {
     private final VirtualClock clock;
@@ -20,10 +21,15 @@ final class Scheduler {
     private Backend backend;
     private Heartbeat heartbeat;
     private Fibre current;
-    /** When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another is ready. */
+    /**
+     * When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another
+     * is ready.
+     */
     private long sliceEnd;
     private long switches;
-    /** Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside. */
+    /**
+     * Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside.
+     */
     private int wakeable;
 
     Scheduler(VirtualClock clock, Ending ending, Schedule schedule, Roster roster) {

@@ -4,8 +4,9 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Ends a run whose program does not enter the kernel for a long host time, which only a loop wholly inside code that is not rewritten (the
- * JDK's) can do. Counts looks without a heartbeat instead of reading a clock, so that a machine that slept does not look like a runaway.
+ * Ends a run whose program does not enter the kernel for a long host time, which only a loop wholly inside code that
+ * is not rewritten (the JDK's) can do. Counts looks without a heartbeat instead of reading a clock, so that a machine
+ * that slept does not look like a runaway.
  */
 final class Watchdog {
     static final int LOOKS = 10;
