@@ -8,9 +8,10 @@ import java.util.concurrent.CancellationException;
 /**
  * Several kernels, one for each robot of a world, that meet at the physics steps.
  *
- * <p>Between two steps each kernel runs its own share, in the order of the list; when all have reached the boundary the step handler is
- * called once. A kernel whose program ended drops out. Events of a kernel run in its share: what concerns the whole world belongs into
- * the step handler. All kernels share the first kernel's back-end and watchdog settings and must have the same step length.
+ * <p>Between two steps each kernel runs its own share, in the order of the list; when all have reached the boundary
+ * the step handler is called once. A kernel whose program ended drops out. Events of a kernel run in its share: what
+ * concerns the whole world belongs into the step handler. All kernels share the first kernel's back-end and watchdog
+ * settings and must have the same step length.
  *
  * <p>With one kernel, the step handler is called straight from its clock.
  */
@@ -35,7 +36,8 @@ public final class Ensemble {
         this.stepHandler = stepHandler;
         this.over = new boolean[kernels.size()];
         if (kernels.stream().mapToLong(kernel -> kernel.settings().stepNanos()).distinct().count() != 1) {
-            throw new IllegalArgumentException("an ensemble needs at least one kernel, and all with the same step length");
+            throw new IllegalArgumentException(
+                    "an ensemble needs at least one kernel, and all with the same step length");
         }
     }
 
@@ -43,7 +45,8 @@ public final class Ensemble {
      * Runs all programs to their ends and waits for them. An ensemble runs once.
      *
      * @return how each program ended, in the order of the kernels
-     * @throws CancellationException if the calling thread is interrupted: the programs are then ended and the interrupt flag kept
+     * @throws CancellationException if the calling thread is interrupted: the programs are then ended and the
+     *     interrupt flag kept
      */
     public List<ProgramEnd> run() {
         KernelSettings settings = kernels.get(0).settings();
@@ -162,7 +165,7 @@ public final class Ensemble {
     /** From the watchdog's thread. */
     private void abandonRunaway() {
         Kernel runaway = kernels.get(running);
-        String dump = runaway.dumpFromOutside("runaway");
+        String dump = runaway.dump("runaway");
         runaway.ending().abandon(runaway.nowNanos(), dump);
         abandonAll("ended because " + runaway.settings().name() + " is a runaway\n");
     }

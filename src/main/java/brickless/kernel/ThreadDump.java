@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** The program's threads in the program's own terms: names, states, locks and its own source lines. */
@@ -21,33 +22,30 @@ final class ThreadDump {
         text.append(title).append(" at ").append(micros / MICROS_PER_MILLI).append('.').append(fraction).append(" ms\n");
     }
 
-    /**
-     * Lists fibres.
-     *
-     * @param caller the fibre on whose stack this is called, or null if from outside
-     */
-    String of(List<Fibre> fibres, Fibre caller) {
+    /** Lists fibres; from any thread. */
+    String of(List<Fibre> fibres) {
         for (Fibre fibre : fibres) {
-            append(fibre, fibre == caller ? new Throwable().getStackTrace() : fibre.begun ? backend.stackOf(fibre) : null);
+            append(fibre);
         }
         return text.toString();
     }
 
-    private void append(Fibre fibre, StackTraceElement[] stack) {
+    private void append(Fibre fibre) {
         text.append(name(fibre)).append(' ').append(fibre.threadState());
         appendReason(fibre);
-        StringBuilder frames = new StringBuilder();
-        if (stack != null) {
-            for (StackTraceElement frame : stack) {
-                if (isPrograms(frame)) {
-                    if (frames.length() == 0) {
-                        text.append(" at ").append(frame.getFileName()).append(':').append(frame.getLineNumber());
-                    }
-                    frames.append("    at ").append(inShort(frame)).append('\n');
-                }
-            }
+        StackTraceElement[] frames = fibre.begun ? programFrames(fibre) : new StackTraceElement[0];
+        if (frames.length > 0) {
+            text.append(" at ").append(frames[0].getFileName()).append(':').append(frames[0].getLineNumber());
         }
-        text.append('\n').append(frames);
+        text.append('\n');
+        for (StackTraceElement frame : frames) {
+            text.append("    at ").append(frame).append('\n');
+        }
+    }
+
+    private StackTraceElement[] programFrames(Fibre fibre) {
+        return Arrays.stream(backend.stackOf(fibre)).filter(ThreadDump::isPrograms).map(ThreadDump::inShort)
+                .toArray(StackTraceElement[]::new);
     }
 
     private void appendReason(Fibre fibre) {

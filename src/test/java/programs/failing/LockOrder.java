@@ -2,7 +2,10 @@ package programs.failing;
 
 import brickless.kernel.hooks.VirtualMachine;
 
-/** Two threads take two locks in opposite order, as rewriting would leave them: deadlocks if both get their first lock. */
+/**
+ * Two threads take two locks in opposite order, as rewriting would leave them: deadlocks if both get their first
+ * lock.
+ */
 public final class LockOrder {
     private final VirtualMachine machine;
     private final Object one = new Object();
