@@ -14,7 +14,7 @@ import java.util.Locale;
  */
 public record JdkCall(Kind kind, int sinceJdk, String owner, String name, String descriptor, String hook) {
     /** How a call is redirected; the table's comment explains. */
-    public enum Kind { STATIC, VIRTUAL, FINAL, NEW, REFERENCE, ARGUMENT }
+    public enum Kind { STATIC, VIRTUAL, FINAL, NEW, ARGUMENT }
 
     private static final String HOOKS = "brickless/kernel/hooks/";
     private static final String STRICT_MATH = "StrictMath";
@@ -51,8 +51,6 @@ public record JdkCall(Kind kind, int sinceJdk, String owner, String name, String
             case VIRTUAL:
             case FINAL:
                 return "(L" + owner + ";" + descriptor.substring(1);
-            case REFERENCE:
-                return descriptor.substring(0, descriptor.length() - 1) + "L" + owner + ";";
             case ARGUMENT:
                 return hook.substring(hook.indexOf('('));
             default:
