@@ -61,4 +61,10 @@ public class PriorityBlockingQueue<E> extends GuardedQueue<E> {
     public boolean offer(E e, long timeout, TimeUnit unit) {
         return offer(e);
     }
+
+    /** There is no limit. */
+    @Override
+    public int remainingCapacity() {
+        return Integer.MAX_VALUE;
+    }
 }
