@@ -15,8 +15,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
 /**
- * A JDK queue behind one monitor, with a capacity and, for delay queues, heads that are not ready yet. Threads blocked on it are woken in
- * the order in which they came; iterators walk over a copy, which is what "weakly consistent" permits.
+ * A JDK queue behind one monitor, with a capacity and, for delay queues, heads that are not ready yet. Threads blocked
+ * on it are woken in the order in which they came; iterators walk over a copy, which is what "weakly consistent"
+ * permits.
  */
 abstract class GuardedQueue<E> extends AbstractQueue<E> implements BlockingQueue<E> {
     /** Guards the store. */

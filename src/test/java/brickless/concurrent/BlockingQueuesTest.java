@@ -50,7 +50,8 @@ class BlockingQueuesTest {
         } catch (Exception e) {
             result = e.getClass();
         }
-        return result + " " + queue + " size " + queue.size() + " room " + queue.remainingCapacity() + " head " + queue.peek();
+        return result + " " + queue + " size " + queue.size() + " room " + queue.remainingCapacity() + " head "
+                + queue.peek();
     }
 
     private static Object apply(BlockingQueue<Integer> queue, int choice, int value) throws InterruptedException {
@@ -105,7 +106,8 @@ class BlockingQueuesTest {
             for (int step = 0; step < STEPS; step++) {
                 int choice = random.nextInt(16);
                 int value = random.nextInt(4);
-                assertThat(step(ours, choice, value)).as("script %d step %d choice %d value %d", script, step, choice, value)
+                assertThat(step(ours, choice, value))
+                        .as("script %d step %d choice %d value %d", script, step, choice, value)
                         .isEqualTo(step(jdks, choice, value));
             }
         }

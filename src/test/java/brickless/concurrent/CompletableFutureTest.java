@@ -52,7 +52,8 @@ class CompletableFutureTest {
         assertThatThrownBy(future::join).isInstanceOf(CompletionException.class).hasCause(bad);
         CompletableFuture<Integer> dependent = (CompletableFuture<Integer>) future.thenApply(x -> x + 1);
         assertThatThrownBy(dependent::get).isInstanceOf(ExecutionException.class).hasCause(bad);
-        assertThatThrownBy(CompletableFuture.allOf(future, dependent)::get).isInstanceOf(ExecutionException.class).hasCause(bad);
+        assertThatThrownBy(CompletableFuture.allOf(future, dependent)::get).isInstanceOf(ExecutionException.class)
+                .hasCause(bad);
         CompletableFuture<Integer> cancelled = new CompletableFuture<>();
         cancelled.cancel(true);
         assertThatThrownBy(cancelled::get).isInstanceOf(CancellationException.class);
@@ -60,12 +61,15 @@ class CompletableFutureTest {
 
     @Test
     void everyStageIsOfThisClassSoThatItsWaitingIsVirtual() {
-        CompletionStage<?>[] stages = {future.thenApply(x -> x), future.thenAcceptAsync(x -> { }), future.handle((x, e) -> x),
-            future.thenCompose(x -> new CompletableFuture<>()), future.copy(), future.minimalCompletionStage().toCompletableFuture(),
-            CompletableFuture.completedStage(1).toCompletableFuture(), CompletableFuture.supplyAsync(() -> 1),
-            CompletableFuture.runAsync(() -> { }), CompletableFuture.allOf(future), CompletableFuture.anyOf(future),
-            CompletableFuture.failedFuture(new IllegalStateException()).exceptionally(e -> 1), future.thenCombine(future, Integer::sum),
-            CompletableFuture.failedStage(new IllegalStateException()).whenComplete((x, e) -> { })};
+        IllegalStateException bad = new IllegalStateException();
+        CompletionStage<?>[] stages = {
+            future.thenApply(x -> x), future.thenAcceptAsync(x -> { }), future.handle((x, e) -> x), future.copy(),
+            future.thenCompose(x -> new CompletableFuture<>()), future.thenCombine(future, Integer::sum),
+            future.minimalCompletionStage().toCompletableFuture(), CompletableFuture.completedStage(1),
+            CompletableFuture.supplyAsync(() -> 1), CompletableFuture.runAsync(() -> { }),
+            CompletableFuture.allOf(future), CompletableFuture.anyOf(future),
+            CompletableFuture.failedFuture(bad).exceptionally(e -> 1),
+            CompletableFuture.failedStage(bad).whenComplete((x, e) -> { })};
         assertThat(stages).allMatch(stage -> stage instanceof CompletableFuture);
     }
 
@@ -92,7 +96,8 @@ class CompletableFutureTest {
 
     @Test
     void delayedExecutorRunsTasksLater() {
-        assertThat(CompletableFuture.supplyAsync(() -> 9, CompletableFuture.delayedExecutor(1, TimeUnit.MILLISECONDS)).join()).isEqualTo(9);
+        assertThat(CompletableFuture.supplyAsync(() -> 9, CompletableFuture.delayedExecutor(1, TimeUnit.MILLISECONDS))
+                .join()).isEqualTo(9);
     }
 
     @Test

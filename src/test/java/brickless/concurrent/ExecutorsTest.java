@@ -69,7 +69,8 @@ class ExecutorsTest {
             throw new IllegalStateException("bad");
         });
         bad.run();
-        assertThatThrownBy(bad::get).isInstanceOf(ExecutionException.class).hasCauseInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(bad::get).isInstanceOf(ExecutionException.class)
+                .hasCauseInstanceOf(IllegalStateException.class);
         FutureTask<Integer> cancelled = new FutureTask<>(() -> 1);
         Waiting getter = Waiting.in(cancelled::get);
         assertThat(cancelled.cancel(false)).isTrue();
@@ -173,7 +174,8 @@ class ExecutorsTest {
     @Test
     void hooksSurroundEveryTaskAndTerminationIsTold() throws InterruptedException {
         List<String> events = Collections.synchronizedList(new ArrayList<>());
-        ThreadPoolExecutor pool = closing(new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>()) {
+        ThreadPoolExecutor pool =
+                closing(new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>()) {
             @Override
             protected void beforeExecute(Thread t, Runnable r) {
                 events.add("before");
@@ -199,7 +201,8 @@ class ExecutorsTest {
     void workerThatDiesIsReplaced() throws Exception {
         List<Thread> threads = Collections.synchronizedList(new ArrayList<>());
         CountDownLatch died = new CountDownLatch(1);
-        ThreadPoolExecutor pool = closing(new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
+        ThreadPoolExecutor pool =
+                closing(new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
             Thread thread = new Thread(work);
             thread.setUncaughtExceptionHandler((t, e) -> died.countDown());
             threads.add(thread);
@@ -215,7 +218,8 @@ class ExecutorsTest {
 
     @Test
     void idleThreadsAboveTheCoreEndAfterTheKeepAliveTime() throws Exception {
-        ThreadPoolExecutor pool = closing(new ThreadPoolExecutor(0, 5, 1, TimeUnit.MILLISECONDS, new SynchronousQueue<>()));
+        ThreadPoolExecutor pool =
+                closing(new ThreadPoolExecutor(0, 5, 1, TimeUnit.MILLISECONDS, new SynchronousQueue<>()));
         Thread worker = pool.submit(() -> Thread.currentThread()).get();
         worker.join(20_000);
         assertThat(worker.isAlive()).isFalse();
@@ -249,7 +253,8 @@ class ExecutorsTest {
             gate.await();
             return 4;
         };
-        assertThatThrownBy(() -> pool.invokeAny(List.of(slow), 1, TimeUnit.MILLISECONDS)).isInstanceOf(TimeoutException.class);
+        assertThatThrownBy(() -> pool.invokeAny(List.of(slow), 1, TimeUnit.MILLISECONDS))
+                .isInstanceOf(TimeoutException.class);
         assertThat(pool.invokeAll(List.of(slow), 1, TimeUnit.MILLISECONDS)).allMatch(Future::isCancelled);
     }
 

@@ -114,7 +114,8 @@ class SynchronizersTest {
     @Test
     void exchangerSwapsNullsTooAndForgetsThoseWhoGaveUp() throws Exception {
         Exchanger<String> exchanger = new Exchanger<>();
-        assertThatThrownBy(() -> exchanger.exchange("late", 1, TimeUnit.MILLISECONDS)).isInstanceOf(TimeoutException.class);
+        assertThatThrownBy(() -> exchanger.exchange("late", 1, TimeUnit.MILLISECONDS))
+                .isInstanceOf(TimeoutException.class);
         String[] received = {"nothing"};
         Waiting partner = Waiting.in(() -> received[0] = exchanger.exchange("given"));
         assertThat(exchanger.exchange(null)).isEqualTo("given");
@@ -129,7 +130,8 @@ class SynchronizersTest {
         assertThat(phaser.arrive()).isZero();
         assertThat(phaser.arriveAndDeregister()).isZero();
         assertThat(phaser.getUnarrivedParties()).isEqualTo(1);
-        assertThatThrownBy(() -> phaser.awaitAdvanceInterruptibly(0, 1, TimeUnit.MILLISECONDS)).isInstanceOf(TimeoutException.class);
+        assertThatThrownBy(() -> phaser.awaitAdvanceInterruptibly(0, 1, TimeUnit.MILLISECONDS))
+                .isInstanceOf(TimeoutException.class);
         Waiting waiter = Waiting.in(() -> phaser.awaitAdvance(0));
         assertThat(phaser.arriveAndAwaitAdvance()).isEqualTo(1);
         waiter.ends();
@@ -184,7 +186,8 @@ class SynchronizersTest {
                 case 1:
                     boolean spare = jdkLeaf.getUnarrivedParties() > 0 && jdkLeaf.getRegisteredParties() > 1;
                     if (spare) {
-                        assertThat(leaf.arriveAndDeregister()).as("step " + step).isEqualTo(jdkLeaf.arriveAndDeregister());
+                        assertThat(leaf.arriveAndDeregister()).as("step " + step)
+                                .isEqualTo(jdkLeaf.arriveAndDeregister());
                     }
                     break;
                 default:

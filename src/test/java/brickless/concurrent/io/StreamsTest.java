@@ -67,7 +67,8 @@ class StreamsTest {
     void encodingIsThatOfTheConstructor() throws IOException {
         new ProgramPrintStream(target, true, "ISO-8859-1").print('\u00e4');
         assertThat(target.toByteArray()).containsExactly(0xe4);
-        assertThatThrownBy(() -> new ProgramPrintStream(target, true, "no such encoding")).isInstanceOf(UnsupportedEncodingException.class);
+        assertThatThrownBy(() -> new ProgramPrintStream(target, true, "no such encoding"))
+                .isInstanceOf(UnsupportedEncodingException.class);
         assertThatThrownBy(() -> new ProgramPrintStream((OutputStream) null)).isInstanceOf(NullPointerException.class);
     }
 

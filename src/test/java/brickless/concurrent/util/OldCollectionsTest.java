@@ -64,7 +64,8 @@ class OldCollectionsTest {
             case 8:
                 return list.addAll(a, List.of(b, b + 1));
             case 9:
-                return list.removeAll(List.of(b)) + " " + list.retainAll(List.of(0, 1, 2, 3, 4)) + " " + list.containsAll(List.of(a, b));
+                return list.removeAll(List.of(b)) + " " + list.retainAll(List.of(0, 1, 2, 3, 4)) + " "
+                        + list.containsAll(List.of(a, b));
             case 10:
                 list.subList(Math.min(a, b), Math.max(a, b)).clear();
                 return "cleared";
@@ -151,8 +152,10 @@ class OldCollectionsTest {
                 int choice = random.nextInt(21);
                 int a = random.nextInt(6);
                 int b = random.nextInt(6);
-                String expected = outcome(() -> choice < 14 ? listStep(jdks, choice, a, b) : vectorStep(jdks, choice - 14, a, b));
-                assertThat(outcome(() -> choice < 14 ? listStep(ours, choice, a, b) : vectorStep(ours, choice - 14, a, b)))
+                String expected = outcome(() -> choice < 14 ? listStep(jdks, choice, a, b)
+                        : vectorStep(jdks, choice - 14, a, b));
+                assertThat(outcome(() -> choice < 14 ? listStep(ours, choice, a, b)
+                        : vectorStep(ours, choice - 14, a, b)))
                         .as("script %d step %d choice %d", script, step, choice).isEqualTo(expected);
                 assertThat(ours).isEqualTo(jdks).hasToString(jdks.toString());
                 if (jdks.contains(null)) {
@@ -173,7 +176,8 @@ class OldCollectionsTest {
                 int choice = random.nextInt(14);
                 int a = random.nextInt(6);
                 int b = random.nextInt(6);
-                assertThat(outcome(() -> listStep(ours, choice, a, b))).as("script %d step %d choice %d", script, step, choice)
+                assertThat(outcome(() -> listStep(ours, choice, a, b)))
+                        .as("script %d step %d choice %d", script, step, choice)
                         .isEqualTo(outcome(() -> listStep(jdks, choice, a, b)));
                 assertThat(ours).hasToString(jdks.toString());
             }
@@ -190,13 +194,16 @@ class OldCollectionsTest {
             case 4:
                 return map.remove(key);
             case 5:
-                return map.get(key) + " " + map.containsKey(key) + " " + map.containsValue(value) + " " + map.getOrDefault(key, -1);
+                return map.get(key) + " " + map.containsKey(key) + " " + map.containsValue(value) + " "
+                        + map.getOrDefault(key, -1);
             case 6:
-                return map.putIfAbsent(key, value) + " " + map.replace(key, value) + " " + map.replace(key, value, value + 1);
+                return map.putIfAbsent(key, value) + " " + map.replace(key, value) + " "
+                        + map.replace(key, value, value + 1);
             case 7:
                 return map.merge(key, value, (old, added) -> value == 3 ? null : old + added);
             case 8:
-                return map.computeIfAbsent(key, k -> value) + " " + map.computeIfPresent(key, (k, v) -> value == 4 ? null : v);
+                return map.computeIfAbsent(key, k -> value) + " "
+                        + map.computeIfPresent(key, (k, v) -> value == 4 ? null : v);
             case 9:
                 return map.keySet().remove(key) + " " + map.values().remove(value) + " " + map.entrySet().size();
             case 10:
@@ -222,12 +229,14 @@ class OldCollectionsTest {
         for (int script = 0; script < SCRIPTS; script++) {
             Random random = new Random(script);
             Hashtable<String, Integer> ours = new Hashtable<>(script % 20 + 1, script % 3 == 0 ? 2f : 0.75f);
-            java.util.Hashtable<String, Integer> jdks = new java.util.Hashtable<>(script % 20 + 1, script % 3 == 0 ? 2f : 0.75f);
+            java.util.Hashtable<String, Integer> jdks =
+                    new java.util.Hashtable<>(script % 20 + 1, script % 3 == 0 ? 2f : 0.75f);
             for (int step = 0; step < 2 * STEPS; step++) {
                 int choice = random.nextInt(14);
                 String key = "key" + random.nextInt(40);
                 int value = random.nextInt(6);
-                assertThat(outcome(() -> mapStep(ours, choice, key, value))).as("script %d step %d choice %d", script, step, choice)
+                assertThat(outcome(() -> mapStep(ours, choice, key, value)))
+                        .as("script %d step %d choice %d", script, step, choice)
                         .isEqualTo(outcome(() -> mapStep(jdks, choice, key, value)));
                 assertThat(ours.toString()).as("script %d step %d", script, step).isEqualTo(jdks.toString());
                 assertThat(Collections.list(ours.keys())).isEqualTo(Collections.list(jdks.keys()));
@@ -312,14 +321,16 @@ class OldCollectionsTest {
     void navigableWrappersGoAsTheirTargets() {
         NavigableSet<Integer> target = new TreeSet<>(List.of(1, 3, 5, 7));
         NavigableSet<Integer> set = SynchronizedCollections.synchronizedNavigableSet(target);
-        assertThat(List.of(set.lower(3), set.floor(3), set.ceiling(4), set.higher(5), set.first(), set.last())).containsExactly(1, 3, 5, 7, 1, 7);
+        assertThat(List.of(set.lower(3), set.floor(3), set.ceiling(4), set.higher(5), set.first(), set.last()))
+                .containsExactly(1, 3, 5, 7, 1, 7);
         assertThat(set.subSet(1, 5)).containsExactly(1, 3);
         assertThat(set.headSet(5, true)).containsExactly(1, 3, 5);
         assertThat(set.tailSet(5)).containsExactly(5, 7);
         assertThat(set.descendingSet()).containsExactly(7, 5, 3, 1);
         assertThat(set.pollFirst()).isEqualTo(1);
         assertThat(set).isEqualTo(target).hasSameHashCodeAs(target);
-        NavigableMap<Integer, String> map = SynchronizedCollections.synchronizedNavigableMap(new TreeMap<>(Map.of(1, "a", 2, "b", 3, "c")));
+        NavigableMap<Integer, String> map =
+                SynchronizedCollections.synchronizedNavigableMap(new TreeMap<>(Map.of(1, "a", 2, "b", 3, "c")));
         assertThat(map.headMap(2)).containsOnlyKeys(1);
         assertThat(map.tailMap(2, false)).containsOnlyKeys(3);
         assertThat(map.subMap(1, 3)).containsOnlyKeys(1, 2);
@@ -330,8 +341,10 @@ class OldCollectionsTest {
         assertThat(SynchronizedCollections.synchronizedSortedSet(new TreeSet<>(target)).headSet(5)).containsExactly(3);
         assertThat(SynchronizedCollections.synchronizedSortedMap(new TreeMap<>(map)).tailMap(2)).containsOnlyKeys(2);
         assertThat(SynchronizedCollections.synchronizedSet(target)).containsExactly(3, 5, 7);
-        assertThat(SynchronizedCollections.synchronizedCollection(target).stream().mapToInt(x -> x).sum()).isEqualTo(15);
-        assertThatThrownBy(() -> SynchronizedCollections.synchronizedList(null)).isInstanceOf(NullPointerException.class);
+        assertThat(SynchronizedCollections.synchronizedCollection(target).stream().mapToInt(x -> x).sum())
+                .isEqualTo(15);
+        assertThatThrownBy(() -> SynchronizedCollections.synchronizedList(null))
+                .isInstanceOf(NullPointerException.class);
     }
 
     @Test
