@@ -26,7 +26,8 @@ class DeadlockTest {
                         "\"left\" BLOCKED on java.lang.StringBuilder held by \"right\" at LockOrder.java:\\d+"),
                 line -> assertThat(line).matches("    at programs.failing.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
                 line -> assertThat(line).matches("    at programs.failing.LockOrder.lambda.*"),
-                line -> assertThat(line).matches("\"right\" BLOCKED on java.lang.Object held by \"left\" at LockOrder.java:\\d+"),
+                line -> assertThat(line).matches(
+                        "\"right\" BLOCKED on java.lang.Object held by \"left\" at LockOrder.java:\\d+"),
                 line -> assertThat(line).matches("    at programs.failing.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
                 line -> assertThat(line).matches("    at programs.failing.LockOrder.lambda.*"));
     }
