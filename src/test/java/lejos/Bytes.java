@@ -14,8 +14,14 @@ public final class Bytes {
 
     /** Notes each byte that an object writes. */
     public static void note(Agreement.Sightings seen, String label, Transmittable object) {
+        note(seen, label, object, 0);
+    }
+
+    /** Notes the number of bytes that an object writes, and each byte from one on. */
+    public static void note(Agreement.Sightings seen, String label, Transmittable object, int from) {
         byte[] bytes = of(object);
-        for (int i = 0; i < bytes.length; i++) {
+        seen.note(label + " length", bytes.length);
+        for (int i = from; i < bytes.length; i++) {
             seen.note(label + " byte " + i, bytes[i]);
         }
     }

@@ -11,12 +11,13 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 
 /**
- * The JDK's CompletableFuture with everything that blocks, or makes threads, replaced. Completing a future and running its dependents
- * needs no locks there, so that part stays the JDK's; stages made from a future of this class are of this class again.
+ * The JDK's CompletableFuture with everything that blocks, or makes threads, replaced. Completing a future and running
+ * its dependents needs no locks there, so that part stays the JDK's; stages made from a future of this class are of
+ * this class again.
  *
- * <p>Programs go on using the JDK's type: the loader only makes them construct this class and call its static methods, which therefore
- * have the JDK's signatures. With one processor the common pool has no parallelism, so asynchronous stages without an executor get a
- * thread each, as the documentation says.
+ * <p>Programs go on using the JDK's type: the loader only makes them construct this class and call its static methods,
+ * which therefore have the JDK's signatures. With one processor the common pool has no parallelism, so asynchronous
+ * stages without an executor get a thread each, as the documentation says.
  */
 public class CompletableFuture<T> extends java.util.concurrent.CompletableFuture<T> {
     private static final Executor THREAD_PER_TASK = task -> new Thread(task).start();
@@ -108,7 +109,8 @@ public class CompletableFuture<T> extends java.util.concurrent.CompletableFuture
     }
 
     /** A future that completes or fails like the first of them that does. */
-    public static java.util.concurrent.CompletableFuture<Object> anyOf(java.util.concurrent.CompletableFuture<?>... cfs) {
+    public static java.util.concurrent.CompletableFuture<Object> anyOf(
+            java.util.concurrent.CompletableFuture<?>... cfs) {
         return adopt(java.util.concurrent.CompletableFuture.anyOf(cfs));
     }
 

@@ -71,4 +71,10 @@ public class DelayQueue<E extends Delayed> extends GuardedQueue<E> {
     public boolean offer(E e, long timeout, TimeUnit unit) {
         return offer(e);
     }
+
+    /** There is no limit. */
+    @Override
+    public int remainingCapacity() {
+        return Integer.MAX_VALUE;
+    }
 }

@@ -28,7 +28,7 @@ final class ClassRewriter {
         JdkCallRedirects redirects = new JdkCallRedirects(catalog);
         ConstructedReplacements constructed = new ConstructedReplacements(replacements);
         classPasses = List.of(new Finalizers(catalog), initialisers, new MethodReferenceBridges(redirects, constructed, catalog), constructed);
-        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed, new StandardStreams(), new StringConcatenation(),
+        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed, new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
                 new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(), new CallDepth(),
                 new SynchronizedMethods());
     }

@@ -25,7 +25,10 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.commons.ClassRemapper;
 import org.objectweb.asm.commons.Remapper;
 
-/** The programs in {@code programs.passing.concurrency} print the same with the JDK's classes and with their replacements, in real time. */
+/**
+ * The programs in {@code programs.passing.concurrency} print the same with the JDK's classes and with their
+ * replacements, in real time.
+ */
 @Timeout(30)
 class ReplacedProgramsTest {
     private static final Path SOURCES = Path.of("src/test/java/programs/passing/concurrency");
@@ -35,7 +38,8 @@ class ReplacedProgramsTest {
 
     static Stream<String> programs() throws IOException {
         try (Stream<Path> files = Files.list(SOURCES)) {
-            return files.map(file -> file.getFileName().toString().replace(".java", "")).filter(name -> !VIRTUAL_TIME_ONLY.contains(name))
+            return files.map(file -> file.getFileName().toString().replace(".java", ""))
+                    .filter(name -> !VIRTUAL_TIME_ONLY.contains(name))
                     .sorted().collect(Collectors.toList()).stream();
         }
     }
@@ -126,11 +130,13 @@ class ReplacedProgramsTest {
                 }
 
                 @Override
-                public void visitMethodInsn(int opcode, String owner, String name, String descriptor, boolean isInterface) {
+                public void visitMethodInsn(int opcode, String owner, String name, String descriptor,
+                        boolean isInterface) {
                     boolean redirected = opcode == Opcodes.INVOKESPECIAL
                             || opcode == Opcodes.INVOKESTATIC && !owner.equals("java/util/Collections")
                             || name.startsWith("synchronized");
-                    super.visitMethodInsn(opcode, redirected ? constructed(owner) : owner, name, descriptor, isInterface);
+                    super.visitMethodInsn(opcode, redirected ? constructed(owner) : owner, name, descriptor,
+                            isInterface);
                 }
             };
         }

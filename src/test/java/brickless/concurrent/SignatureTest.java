@@ -22,25 +22,28 @@ class SignatureTest {
     /** The ring buffer that the original lets subclasses see; nobody is known to use it. */
     private static final Set<String> LEFT_OUT = Set.of("[B buffer", "int in", "int out");
     /** What newer JDKs added to classes; what they added to interfaces comes with defaults. */
-    private static final Pattern NEWER_THAN_17 = Pattern.compile("ThreadPerTaskExecutor|externalSubmit|lazySubmit|submitWithTimeout"
-            + "|ScheduledFuture schedule[^ ]*\\[.*TimeUnit\\]|setParallelism|Uninterruptibly\\[|DelayedTask|quietlyJoin\\[long"
+    private static final Pattern NEWER_THAN_17 =
+            Pattern.compile("ThreadPerTaskExecutor|externalSubmit|lazySubmit|submitWithTimeout"
+            + "|ScheduledFuture schedule[^ ]*\\[.*TimeUnit\\]|setParallelism|Uninterruptibly\\[|DelayedTask"
+            + "|quietlyJoin\\[long"
             + "|adaptInterruptible|<init>\\[java.lang.ThreadGroup, ForkJoinPool|int getQueuedTaskCount\\[\\]");
 
     @ParameterizedTest
-    @ValueSource(strings = {"ReentrantLock", "ReentrantReadWriteLock", "ReentrantReadWriteLock$ReadLock", "ReentrantReadWriteLock$WriteLock",
-        "StampedLock"})
+    @ValueSource(strings = {"ReentrantLock", "ReentrantReadWriteLock", "ReentrantReadWriteLock$ReadLock",
+        "ReentrantReadWriteLock$WriteLock", "StampedLock"})
     void locksHaveAllMembers(String name) throws ClassNotFoundException {
         assertComplete("java.util.concurrent.locks." + name, "brickless.concurrent.locks." + name);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"CountDownLatch", "Semaphore", "CyclicBarrier", "Exchanger", "Phaser", "ArrayBlockingQueue",
-        "LinkedBlockingQueue", "LinkedBlockingDeque", "PriorityBlockingQueue", "DelayQueue", "SynchronousQueue", "LinkedTransferQueue",
-        "FutureTask", "AbstractExecutorService", "ThreadPoolExecutor", "ThreadPoolExecutor$AbortPolicy",
-        "ThreadPoolExecutor$CallerRunsPolicy", "ThreadPoolExecutor$DiscardPolicy", "ThreadPoolExecutor$DiscardOldestPolicy",
-        "RejectedExecutionHandler", "ScheduledThreadPoolExecutor", "ExecutorCompletionService", "Executors", "CompletableFuture",
-        "ForkJoinPool", "ForkJoinPool$ForkJoinWorkerThreadFactory", "ForkJoinPool$ManagedBlocker", "ForkJoinTask", "ForkJoinWorkerThread",
-        "RecursiveTask", "RecursiveAction"})
+    @ValueSource(strings = {"CountDownLatch", "Semaphore", "CyclicBarrier", "Exchanger", "Phaser",
+        "ArrayBlockingQueue", "LinkedBlockingQueue", "LinkedBlockingDeque", "PriorityBlockingQueue", "DelayQueue",
+        "SynchronousQueue", "LinkedTransferQueue", "FutureTask", "AbstractExecutorService", "ThreadPoolExecutor",
+        "ThreadPoolExecutor$AbortPolicy", "ThreadPoolExecutor$CallerRunsPolicy", "ThreadPoolExecutor$DiscardPolicy",
+        "ThreadPoolExecutor$DiscardOldestPolicy", "RejectedExecutionHandler", "ScheduledThreadPoolExecutor",
+        "ExecutorCompletionService", "Executors", "CompletableFuture", "ForkJoinPool",
+        "ForkJoinPool$ForkJoinWorkerThreadFactory", "ForkJoinPool$ManagedBlocker", "ForkJoinTask",
+        "ForkJoinWorkerThread", "RecursiveTask", "RecursiveAction"})
     void synchronizersQueuesAndExecutorsHaveAllMembers(String name) throws ClassNotFoundException {
         assertComplete("java.util.concurrent." + name, "brickless.concurrent." + name);
     }
@@ -79,7 +82,8 @@ class SignatureTest {
     void completableFutureReplacesAllStaticMethodsWithTheSameDescriptors() throws NoSuchMethodException {
         for (Method original : java.util.concurrent.CompletableFuture.class.getDeclaredMethods()) {
             if (Modifier.isStatic(original.getModifiers()) && Modifier.isPublic(original.getModifiers())) {
-                Method ours = CompletableFuture.class.getDeclaredMethod(original.getName(), original.getParameterTypes());
+                Method ours = CompletableFuture.class.getDeclaredMethod(original.getName(),
+                        original.getParameterTypes());
                 assertThat(ours.getReturnType()).as(ours.toString()).isEqualTo(original.getReturnType());
             }
         }
@@ -130,17 +134,20 @@ class SignatureTest {
         }
         for (Field field : type.getDeclaredFields()) {
             if (usable(field)) {
-                signatures.add((Modifier.isStatic(field.getModifiers()) ? "static " : "") + neutral(field.getType()) + " " + field.getName());
+                signatures.add((Modifier.isStatic(field.getModifiers()) ? "static " : "") + neutral(field.getType())
+                        + " " + field.getName());
             }
         }
     }
 
     private static boolean usable(Member member) {
-        return !member.isSynthetic() && (Modifier.isPublic(member.getModifiers()) || Modifier.isProtected(member.getModifiers()));
+        return !member.isSynthetic()
+                && (Modifier.isPublic(member.getModifiers()) || Modifier.isProtected(member.getModifiers()));
     }
 
     private static String describe(Method method) {
-        return (Modifier.isStatic(method.getModifiers()) ? "static " : "") + neutral(method.getReturnType()) + " " + method.getName()
+        return (Modifier.isStatic(method.getModifiers()) ? "static " : "") + neutral(method.getReturnType()) + " "
+                + method.getName()
                 + parameters(method.getParameterTypes());
     }
 

@@ -39,7 +39,8 @@ public final class Waiting {
     public static Waiting in(Action action) {
         Waiting waiting = started(action);
         while (!waiting.blocked()) {
-            assertThat(waiting.thread.isAlive()).as("thread is expected to wait, but ended: " + waiting.thrown.get()).isTrue();
+            assertThat(waiting.thread.isAlive()).as("thread is expected to wait, but ended: " + waiting.thrown.get())
+                    .isTrue();
             Thread.onSpinWait();
         }
         return waiting;

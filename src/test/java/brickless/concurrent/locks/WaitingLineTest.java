@@ -59,7 +59,8 @@ class WaitingLineTest {
             assertThat(line.pass(this::take, Deadline.after(0))).as("overtakes").isTrue();
             line.changed();
         }
-        awaitTries(line, tries, 2);
+        // Once when it came, once when it was in the line, once when it was woken.
+        awaitTries(line, tries, 3);
         synchronized (line) {
             free = true;
             assertThat(line.pass(this::take, Deadline.after(0))).as("overtakes again").isFalse();

@@ -48,7 +48,7 @@ class RegulationTest {
         }
         own.motor.move(to(360, -720));
         own.motor.awaitStandstill();
-        own.processor.runMillis(300);
+        own.processor.runMillis(1500);
         assertThat(own.motor.encoder()).isBetween(-722, -718);
         assertThat(own.degreesPerSecond()).isCloseTo(0, offset(1.0));
     }

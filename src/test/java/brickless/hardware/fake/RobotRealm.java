@@ -6,7 +6,10 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
 
-/** Defines {@code lejos} classes and one program class anew, so that a test can see their static state as a fresh program does. */
+/**
+ * Defines {@code lejos} classes and one program class anew, so that a test can see their static state as a fresh
+ * program does.
+ */
 public final class RobotRealm extends ClassLoader {
     private static final String BRICK_ACCESS = "brickless.hardware.BrickAccess";
 

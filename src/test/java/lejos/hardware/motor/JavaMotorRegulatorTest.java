@@ -15,7 +15,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The software regulator with its own thread on a simulated motor. Every test ends when the regulator says so, however fast it runs. */
+/**
+ * The software regulator with its own thread on a simulated motor. Every test ends when the regulator says so, however
+ * fast it runs.
+ */
 @Timeout(30)
 class JavaMotorRegulatorTest {
     private final SimulatedMotorPort port = new SimulatedMotorPort();
@@ -61,12 +64,10 @@ class JavaMotorRegulatorTest {
     }
 
     @Test
-    void aReversalSlowsDownToZeroWithEvents() {
+    void aReversalSlowsDownToZeroWithEvents() throws InterruptedException {
         listen();
         motor.rotate(400, true);
-        while (motor.getRotationSpeed() < 600) {
-            Thread.onSpinWait();
-        }
+        port.awaitDegrees(100);
         motor.rotateTo(0);
         assertEquals(0, motor.getTachoCount(), 3);
         assertEquals(List.of("started", "stopped", "started", "stopped"), events);
@@ -118,13 +119,12 @@ class JavaMotorRegulatorTest {
     }
 
     @Test
-    void speedIsChangedWhileRunning() {
+    void speedIsChangedWhileRunning() throws InterruptedException {
         motor.setSpeed(100);
         motor.forward();
         motor.setSpeed(300);
-        while (motor.getRotationSpeed() != 300) {
-            Thread.onSpinWait();
-        }
+        port.awaitDegrees(60);
+        assertEquals(300, motor.getRotationSpeed());
         assertTrue(motor.isMoving());
     }
 

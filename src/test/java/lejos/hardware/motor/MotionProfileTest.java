@@ -8,13 +8,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Plans of the software regulator against times and positions measured on the original, and against the laws of motion. */
+/**
+ * Plans of the software regulator against times and positions measured on the original, and against the laws of motion.
+ */
 class MotionProfileTest {
     private static final double ACCELERATION = 6000;
 
     @ParameterizedTest
     @CsvSource({
-        // limit, from, velocity, ramp ends, cruise ends, stands, position at ramp end, position at cruise end, cruise velocity
+        // limit, from, velocity; ramp ends, cruise ends, stands; positions at ramp end and cruise end; cruise velocity
         "360,0,0,60,1000,1060,10.8,349.2,360",
         "-90,0,0,60,249,309,-10.8,-79.2,-360",
         "10,0,0,40,40,80,5.0,5.0,244.9",

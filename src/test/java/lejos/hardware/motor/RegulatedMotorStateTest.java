@@ -46,7 +46,9 @@ class RegulatedMotorStateTest {
             int kind = i % 5;
             int port = i / 5 % 4;
             Port where = PORTS.get(port);
-            BaseRegulatedMotor motor = i < 20 ? BY_PORT.get(kind).apply(where) : BY_OPEN_PORT.get(kind).apply(where.open(TachoMotorPort.class));
+            BaseRegulatedMotor motor = i < 20
+                    ? BY_PORT.get(kind).apply(where)
+                    : BY_OPEN_PORT.get(kind).apply(where.open(TachoMotorPort.class));
             assertEquals(TUNINGS.get(kind), brick.motor(port).tuning(), "case " + i);
             brick.get().setVolts(9);
             assertEquals(SPEEDS.get(kind) * 0.9f, motor.getMaxSpeed(), 0.001f, "case " + i);

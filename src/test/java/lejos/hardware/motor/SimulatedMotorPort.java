@@ -19,6 +19,13 @@ final class SimulatedMotorPort implements TachoMotorPort {
         blocked = true;
     }
 
+    /** Blocks until the motor has turned that far forward. */
+    synchronized void awaitDegrees(int wanted) throws InterruptedException {
+        while (degrees < wanted) {
+            wait();
+        }
+    }
+
     synchronized int lastMode() {
         return lastMode;
     }
@@ -35,6 +42,7 @@ final class SimulatedMotorPort implements TachoMotorPort {
         if (!blocked) {
             degrees += speed * PERIOD_SECONDS;
         }
+        notifyAll();
     }
 
     @Override

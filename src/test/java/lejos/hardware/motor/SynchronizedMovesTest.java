@@ -173,21 +173,24 @@ class SynchronizedMovesTest {
 
     @Test
     void aMotorCannotBeItsOwnPartner() {
-        var refusal = assertThrows(IllegalArgumentException.class, () -> left.synchronizeWith(new RegulatedMotor[] {right, left}));
+        var refusal = assertThrows(IllegalArgumentException.class, () ->
+                left.synchronizeWith(new RegulatedMotor[] {right, left}));
         assertEquals("Can't synchronize with self", refusal.getMessage());
     }
 
     @Test
     void aPartnerWithAnotherRegulatorIsRefused() {
         TachoMotorPort port = MotorPort.A.open(TachoMotorPort.class);
-        BaseRegulatedMotor other = new BaseRegulatedMotor(port, new JavaMotorRegulator(port), 9, 1, 0, 0, 1, 0, 0, 0, 1000) {};
+        BaseRegulatedMotor other =
+                new BaseRegulatedMotor(port, new JavaMotorRegulator(port), 9, 1, 0, 0, 1, 0, 0, 0, 1000) {};
         assertThrows(IllegalArgumentException.class, () -> left.synchronizeWith(new RegulatedMotor[] {other}));
     }
 
     @Test
     void onlyBaseRegulatedMotorsCanBePartners() {
         RegulatedMotor proxy = (RegulatedMotor) Proxy.newProxyInstance(
-                getClass().getClassLoader(), new Class<?>[] {RegulatedMotor.class}, (object, method, arguments) -> null);
+                getClass().getClassLoader(), new Class<?>[] {RegulatedMotor.class},
+                (object, method, arguments) -> null);
         assertThrows(ClassCastException.class, () -> left.synchronizeWith(new RegulatedMotor[] {proxy}));
     }
 }

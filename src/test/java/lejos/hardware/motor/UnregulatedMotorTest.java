@@ -117,6 +117,7 @@ class UnregulatedMotorTest {
         plain.backward();
         plain.close();
         new RCXMotor(MotorPort.B.open(BasicMotorPort.class)).flt();
-        assertEquals(List.of("expect RCXMotor", "drive 100", "drive -100", "release", "expect RCXMotor", "coast"), brick.motor(1).log());
+        assertEquals(List.of("expect RCXMotor", "drive 100", "drive -100", "release", "expect RCXMotor", "coast"),
+                brick.motor(1).log());
     }
 }

@@ -79,8 +79,9 @@ class EV3PortsTest {
     void aMissingSensorIsExplainedInTheCause() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> new EV3ColorSensor(SensorPort.S1));
         assertEquals("Invalid sensor mode", refusal.getMessage());
-        assertEquals("nothing is plugged into S1; EV3ColorSensor needs data-sensor=\"ev3-color\" with data-port=\"S1\" in the robot file,"
-                + " or a robot fitted to the program (--robot auto)", refusal.getCause().getMessage());
+        assertEquals("nothing is plugged into S1; EV3ColorSensor needs data-sensor=\"ev3-color\" with data-port=\"S1\""
+                + " in the robot file, or a robot fitted to the program (--robot auto)",
+                        refusal.getCause().getMessage());
     }
 
     @Test

@@ -1,11 +1,16 @@
 package lejos.robotics.mapping;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Random;
 import javax.xml.stream.XMLStreamException;
 import lejos.Agreement;
@@ -50,6 +55,33 @@ class MapTest {
             double gap = Math.min(Math.min(Math.abs(hit.x), Math.abs(hit.x - 100)), Math.min(Math.abs(hit.y), Math.abs(hit.y - 100)));
             assertThat(gap).as("ray " + i).isLessThan(1e-3);
         }
+    }
+
+    @Test
+    void shapefileOfOnePolygonAndAPointGivesItsSides() throws IOException {
+        LineMap map = new ShapefileLoader(new ByteArrayInputStream(shapefile(0x270a))).readLineMap();
+        assertThat(map.getBoundingRect()).isEqualTo(new Rectangle(1, 2, 30, 40));
+        assertThat(map.getLines()).hasSize(2);
+        assertThat(map.getLines()[1].getP2()).isEqualTo(new Point(31, 42));
+    }
+
+    @Test
+    void otherFilesAreRefused() {
+        assertThatThrownBy(() -> new ShapefileLoader(new ByteArrayInputStream(shapefile(7))).readLineMap())
+                .isInstanceOf(IOException.class);
+    }
+
+    private static byte[] shapefile(int code) {
+        ByteBuffer file = ByteBuffer.allocate(300);
+        file.putInt(code).position(36);
+        file.order(ByteOrder.LITTLE_ENDIAN).putDouble(1).putDouble(2).putDouble(31).putDouble(42).position(100);
+        file.order(ByteOrder.BIG_ENDIAN).putInt(1).putInt(10);
+        file.order(ByteOrder.LITTLE_ENDIAN).putInt(1).putDouble(5).putDouble(6);
+        file.order(ByteOrder.BIG_ENDIAN).putInt(2).putInt(48);
+        file.order(ByteOrder.LITTLE_ENDIAN).putInt(5).position(file.position() + 32);
+        file.putInt(1).putInt(3).putInt(0);
+        file.putDouble(1).putDouble(2).putDouble(31).putDouble(2).putDouble(31).putDouble(42);
+        return Arrays.copyOf(file.array(), file.position());
     }
 
     @Test

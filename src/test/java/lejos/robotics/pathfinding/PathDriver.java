@@ -57,7 +57,7 @@ final class PathDriver {
         }
     }
 
-    private static double length(Path path) {
+    static double length(Path path) {
         double length = 0;
         for (int i = 1; i < path.size(); i++) {
             length += path.get(i).distance(path.get(i - 1));
@@ -65,7 +65,7 @@ final class PathDriver {
         return length;
     }
 
-    private static LineMap walls(Random random) {
+    static LineMap walls(Random random) {
         Line[] lines = new Line[6];
         for (int i = 0; i < lines.length; i++) {
             float x = 20 + random.nextFloat() * 160;

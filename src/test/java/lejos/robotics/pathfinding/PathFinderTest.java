@@ -2,9 +2,11 @@ package lejos.robotics.pathfinding;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import lejos.Agreement;
 import lejos.robotics.RangeReadings;
 import lejos.robotics.geometry.Line;
@@ -42,6 +44,25 @@ class PathFinderTest {
     void lengthenedWallsLeaveNoWayOutOfABox() throws DestinationUnreachableException {
         ShortestPathFinder finder = new ShortestPathFinder(box);
         assertThat(finder.findRoute(start, goal)).as("through the corner").hasSize(3);
+        finder.lengthenLines(1);
+        assertThatThrownBy(() -> finder.findRoute(start, goal)).isInstanceOf(DestinationUnreachableException.class);
+    }
+
+    @Test
+    void dijkstraFindsPathsAsShortAsTheShortest() throws DestinationUnreachableException {
+        for (int index = 0; index < 300; index++) {
+            LineMap map = PathDriver.walls(new Random(index));
+            Pose from = new Pose(2, 3, 0);
+            Waypoint to = new Waypoint(195, 97);
+            Path shortest = new ShortestPathFinder(map).findRoute(from, to);
+            Path found = new DijkstraPathFinder(map).findRoute(from, to);
+            assertThat(PathDriver.length(found)).as("walls " + index).isCloseTo(PathDriver.length(shortest), within(0.01));
+        }
+    }
+
+    @Test
+    void dijkstraGivesUpWhereThereIsNoWay() {
+        DijkstraPathFinder finder = new DijkstraPathFinder(box);
         finder.lengthenLines(1);
         assertThatThrownBy(() -> finder.findRoute(start, goal)).isInstanceOf(DestinationUnreachableException.class);
     }

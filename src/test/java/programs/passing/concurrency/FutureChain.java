@@ -18,7 +18,8 @@ import java.util.concurrent.TimeoutException;
 public class FutureChain {
     /** The program. */
     public static void main(String[] args) throws Exception {
-        CompletableFuture<Integer> chain = CompletableFuture.supplyAsync(() -> 20).thenApply(x -> x + 1).thenApplyAsync(x -> x * 2);
+        CompletableFuture<Integer> chain = CompletableFuture.supplyAsync(() -> 20).thenApply(x -> x + 1)
+                .thenApplyAsync(x -> x * 2);
         System.out.println("chain " + chain.get());
         CompletableFuture<Integer> one = CompletableFuture.supplyAsync(() -> 1);
         CompletableFuture<Integer> two = CompletableFuture.supplyAsync(() -> 2);
@@ -42,6 +43,7 @@ public class FutureChain {
         } catch (ExecutionException e) {
             System.out.println(e.getCause() instanceof TimeoutException ? "timed out" : "other failure");
         }
-        System.out.println("default " + new CompletableFuture<Integer>().completeOnTimeout(-1, 20, TimeUnit.MILLISECONDS).join());
+        System.out.println("default " + new CompletableFuture<Integer>()
+                .completeOnTimeout(-1, 20, TimeUnit.MILLISECONDS).join());
     }
 }

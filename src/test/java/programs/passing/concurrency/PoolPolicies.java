@@ -40,7 +40,8 @@ public class PoolPolicies {
         pool.awaitTermination(10, TimeUnit.SECONDS);
         System.out.println("completed " + pool.getCompletedTaskCount());
         CountDownLatch died = new CountDownLatch(1);
-        ThreadPoolExecutor fragile = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(2), work -> {
+        ThreadPoolExecutor fragile =
+                new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(2), work -> {
             Thread thread = new Thread(work);
             thread.setUncaughtExceptionHandler((t, e) -> {
                 System.out.println("uncaught " + e.getMessage());

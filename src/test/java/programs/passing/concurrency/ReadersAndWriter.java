@@ -10,7 +10,8 @@ import java.util.concurrent.locks.ReentrantReadWriteLock;
 /** Readers read together; the writer waits for them. */
 public class ReadersAndWriter {
     private static final ReentrantReadWriteLock LOCK = new ReentrantReadWriteLock();
-    private static final CyclicBarrier TOGETHER = new CyclicBarrier(3, () -> System.out.println("both read " + LOCK.getReadLockCount() / 2));
+    private static final CyclicBarrier TOGETHER =
+            new CyclicBarrier(3, () -> System.out.println("both read " + LOCK.getReadLockCount() / 2));
     private static int value = 1;
 
     private static void read() {
