@@ -63,7 +63,7 @@ class ReplacedProgramsTest {
     }
 
     private static List<String> expected(String program) throws IOException {
-        String mark = "// expect: ";
+        String mark = " * @prints ";
         return Files.readAllLines(SOURCES.resolve(program + ".java")).stream().filter(line -> line.startsWith(mark))
                 .map(line -> line.substring(mark.length())).collect(Collectors.toList());
     }
