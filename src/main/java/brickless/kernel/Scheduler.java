@@ -4,10 +4,11 @@ import brickless.kernel.hooks.Budget;
 import java.util.List;
 
 /**
- * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all wait.
+ * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all
+ * wait.
  *
- * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock itself until
- * something is ready; if that is the same fibre, it just goes on and no stack is switched.
+ * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock
+ * itself until something is ready; if that is the same fibre, it just goes on and no stack is switched.
  */
 final class Scheduler {
     private final VirtualClock clock;
@@ -15,14 +16,20 @@ final class Scheduler {
     private final Schedule schedule;
     private final Roster roster;
     private final DeadlockDetector deadlocks;
-    private final FibreQueue ready = new FibreQueue();
+    private FibreQueue ready = new FibreQueue();
     private KernelListener listener = new KernelListener() { };
     private Backend backend;
     private Heartbeat heartbeat;
     private Fibre current;
+    /**
+     * When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another
+     * is ready.
+     */
     private long sliceEnd;
     private long switches;
-    /** Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside. */
+    /**
+     * Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside.
+     */
     private int wakeable;
 
     Scheduler(VirtualClock clock, Ending ending, Schedule schedule, Roster roster) {
@@ -69,10 +76,8 @@ final class Scheduler {
             enter();
             clock.settle(nanos);
             ending.throwIfKilling();
-            if (clock.now() < sliceEnd) {
+            if (ready.isEmpty() || clock.now() < sliceEnd) {
                 grant();
-            } else if (ready.isEmpty()) {
-                beginSlice();
             } else {
                 preempt();
             }
@@ -88,7 +93,8 @@ final class Scheduler {
 
     /** {@code Thread.yield}: charges, the more the longer the fibre has made no progress. */
     void yieldProcessor() {
-        long nanos = Math.min(Costs.LONGEST_YIELD_NANOS, (long) Costs.YIELD_NANOS << Math.min(current.yields, Integer.SIZE));
+        long doubled = (long) Costs.YIELD_NANOS << Math.min(current.yields, Integer.SIZE);
+        long nanos = Math.min(Costs.LONGEST_YIELD_NANOS, doubled);
         current.yields++;
         if (ready.isEmpty() && clock.spend(nanos)) {
             return;
@@ -97,7 +103,7 @@ final class Scheduler {
         clock.settle(nanos);
         ending.throwIfKilling();
         if (ready.isEmpty()) {
-            beginSlice();
+            grant();
         } else {
             preempt();
         }
@@ -187,6 +193,13 @@ final class Scheduler {
         clock.settle(0);
     }
 
+    /** Lets go of the program after the run. */
+    void release() {
+        current = null;
+        ready = new FibreQueue();
+        backend = null;
+    }
+
     /** What runs after the running fibre has ended, already made current; null if the program is over. */
     Fibre successor() {
         Fibre next = next();
@@ -211,7 +224,6 @@ final class Scheduler {
         }
         me.depth = clock.budget().depth();
         activate(next);
-        clock.budget().depth(next.depth);
         switches++;
         backend.switchTo(me, next);
     }
@@ -233,6 +245,9 @@ final class Scheduler {
     }
 
     private void activate(Fibre fibre) {
+        if (fibre != current) {
+            clock.budget().depth(fibre.depth);
+        }
         current = fibre;
         fibre.begun = true;
         fibre.state = FibreState.RUNNING;
