@@ -6,7 +6,7 @@ import picocli.CommandLine.Command;
 
 /** {@code brickless}: runs leJOS EV3 programs without a brick. */
 @Command(name = "brickless", description = "Runs leJOS EV3 programs without a brick.", mixinStandardHelpOptions = true,
-        versionProvider = Main.Version.class, subcommands = {RunCommand.class})
+        versionProvider = Main.Version.class, subcommands = {RunCommand.class, ExploreCommand.class})
 public final class Main implements Runnable {
     /** Exit status for bad input. */
     static final int USAGE = 2;

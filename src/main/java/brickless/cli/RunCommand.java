@@ -3,6 +3,7 @@ package brickless.cli;
 import brickless.program.Program;
 import brickless.simulation.Run;
 import brickless.simulation.RunReport;
+import brickless.simulation.SetupException;
 import brickless.simulation.Simulation;
 import brickless.simulation.SimulationSettings;
 import java.io.PrintStream;
@@ -40,13 +41,19 @@ final class RunCommand implements Callable<Integer> {
             Run run = simulation.start(program);
             run.toEnd();
             RunReport report = run.report();
-            report.outcome().error().ifPresent(System.err::println);
-            System.err.flush();
+            report.outcome().error().ifPresent(this::explain);
             stream.println(json ? report.json() : report.text());
             stream.flush();
             return report.exitStatus();
-        } catch (brickless.simulation.SetupException e) {
+        } catch (SetupException e) {
             throw new UsageException(e.getMessage());
         }
+    }
+
+    private void explain(String error) {
+        System.err.println(error);
+        System.err.println("run it again: " + options.commandLine()
+                + (options.scheduleSeed == null ? "" : " --schedule-seed " + options.scheduleSeed));
+        System.err.flush();
     }
 }

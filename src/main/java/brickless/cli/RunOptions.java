@@ -25,6 +25,8 @@ import picocli.CommandLine.TypeConversionException;
 
 /** What the commands that run a program have in common. */
 final class RunOptions {
+    private static final long DEFAULT_LIMIT_MILLIS = 60_000;
+
     @Parameters(index = "0", paramLabel = "PROGRAM",
             description = "Class name, .java or .class file, directory of sources or classes, or jar.")
     String program;
@@ -55,9 +57,9 @@ final class RunOptions {
     @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
     Path stimuli;
 
-    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonPolicyName.class,
+    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonsConverter.class,
             description = "auto: keys the program waits for are pressed; none: never (default: auto).")
-    Boolean pressButtons;
+    Buttons buttons;
 
     @Option(names = "--until", paramLabel = "GOAL", converter = GoalConverter.class,
             description = "zone:NAME or exit: the run succeeds only if this is reached.")
@@ -84,7 +86,7 @@ final class RunOptions {
         try {
             World arena = library.world(world);
             SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(world).seed(seed).limit(limit).ideal(ideal)
-                    .pressButtons(pressButtons).backend(backend).goal(Optional.ofNullable(goal))
+                    .pressButtons(buttons == Buttons.AUTO).backend(backend).goal(Optional.ofNullable(goal))
                     .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
             if (!robot.equals("auto")) {
                 settings.robot(library.robot(robot));
@@ -95,6 +97,27 @@ final class RunOptions {
             return settings.build();
         } catch (DescriptionException e) {
             throw new UsageException(e.getMessage());
+        }
+    }
+
+    /** The command that runs the same again, without a schedule seed. */
+    String commandLine() {
+        StringBuilder words = new StringBuilder("brickless run ").append(program);
+        append(words, "--main", main);
+        append(words, "--classpath", classPath.isEmpty() ? null : classPath);
+        append(words, "--world", world.equals("pen") ? null : world);
+        append(words, "--robot", robot.equals("auto") ? null : robot);
+        append(words, "--for", limit.toMillis() == DEFAULT_LIMIT_MILLIS ? null : limit.toMillis() + "ms");
+        append(words, "--seed", seed == 1 ? null : String.valueOf(seed));
+        append(words, "--stimuli", stimuli == null ? null : stimuli.toString());
+        append(words, "--buttons", buttons == Buttons.AUTO ? null : "none");
+        append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
+        return words.append(ideal ? " --ideal" : "").toString();
+    }
+
+    private static void append(StringBuilder words, String option, String value) {
+        if (value != null) {
+            words.append(' ').append(option).append(' ').append(value.contains(" ") ? "'" + value + "'" : value);
         }
     }
 
@@ -111,12 +134,16 @@ final class RunOptions {
         }
     }
 
-    private static final class ButtonPolicyName implements ITypeConverter<Boolean> {
-        @Override public Boolean convert(String value) {
-            if (!value.equals("auto") && !value.equals("none")) {
-                throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
-            }
-            return value.equals("auto");
+    /** Who presses the keys that a program waits for. */
+    enum Buttons { AUTO, NONE }
+
+    private static final class ButtonsConverter implements ITypeConverter<Buttons> {
+        @Override public Buttons convert(String value) {
+            return switch (value) {
+                case "auto" -> Buttons.AUTO;
+                case "none" -> Buttons.NONE;
+                default -> throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
+            };
         }
     }
 

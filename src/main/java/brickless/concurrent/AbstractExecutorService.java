@@ -67,7 +67,8 @@ public abstract class AbstractExecutorService implements ExecutorService {
         return invokeAll(tasks, Deadline.after(timeout, unit));
     }
 
-    private <T> List<Future<T>> invokeAll(Collection<? extends Callable<T>> tasks, Deadline deadline) throws InterruptedException {
+    private <T> List<Future<T>> invokeAll(Collection<? extends Callable<T>> tasks, Deadline deadline)
+            throws InterruptedException {
         List<Future<T>> futures = new ArrayList<>();
         boolean complete = false;
         try {

@@ -8,7 +8,9 @@ public class CountDownLatch {
     private final Object monitor = new Object();
     private long count;
 
-    /** Creates a latch that opens after {@code count} calls of {@link #countDown}; IllegalArgumentException if negative. */
+    /**
+     * Creates a latch that opens after {@code count} calls of {@link #countDown}; IllegalArgumentException if negative.
+     */
     public CountDownLatch(int count) {
         if (count < 0) {
             throw new IllegalArgumentException("count < 0");

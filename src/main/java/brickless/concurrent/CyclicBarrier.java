@@ -48,7 +48,8 @@ public class CyclicBarrier {
     }
 
     /** Waits for all parties; when the time passes first, breaks the barrier and throws TimeoutException. */
-    public int await(long timeout, TimeUnit unit) throws InterruptedException, BrokenBarrierException, TimeoutException {
+    public int await(long timeout, TimeUnit unit)
+            throws InterruptedException, BrokenBarrierException, TimeoutException {
         return await(Deadline.after(timeout, unit));
     }
 
@@ -89,7 +90,8 @@ public class CyclicBarrier {
         }
     }
 
-    private void awaitTrip(Round mine, Deadline deadline) throws InterruptedException, BrokenBarrierException, TimeoutException {
+    private void awaitTrip(Round mine, Deadline deadline)
+            throws InterruptedException, BrokenBarrierException, TimeoutException {
         while (!mine.tripped) {
             failIfBroken(mine);
             boolean inTime;

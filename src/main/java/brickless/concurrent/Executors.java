@@ -10,7 +10,10 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** {@code java.util.concurrent.Executors}; pools are numbered per robot. There is no security manager, so "privileged" changes nothing. */
+/**
+ * {@code java.util.concurrent.Executors}; pools are numbered per robot. There is no security manager, so "privileged"
+ * changes nothing.
+ */
 public class Executors {
     private static final long CACHED_SECONDS = 60;
 
@@ -24,7 +27,8 @@ public class Executors {
 
     /** A pool of {@code nThreads} threads. */
     public static ExecutorService newFixedThreadPool(int nThreads, ThreadFactory threadFactory) {
-        return new ThreadPoolExecutor(nThreads, nThreads, 0, TimeUnit.MILLISECONDS, new LinkedBlockingQueue<>(), threadFactory);
+        return new ThreadPoolExecutor(nThreads, nThreads, 0, TimeUnit.MILLISECONDS, new LinkedBlockingQueue<>(),
+                threadFactory);
     }
 
     /** A pool as wide as the brick: one processor. */
@@ -54,7 +58,8 @@ public class Executors {
 
     /** A pool that makes threads as needed and keeps idle ones for 60 s. */
     public static ExecutorService newCachedThreadPool(ThreadFactory threadFactory) {
-        return new ThreadPoolExecutor(0, Integer.MAX_VALUE, CACHED_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), threadFactory);
+        return new ThreadPoolExecutor(0, Integer.MAX_VALUE, CACHED_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(),
+                threadFactory);
     }
 
     /** A scheduler of one thread that cannot be reconfigured. */

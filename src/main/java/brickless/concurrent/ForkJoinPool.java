@@ -11,14 +11,15 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 
 /**
- * {@code java.util.concurrent.ForkJoinPool}, simplified: daemon workers with one common queue instead of work stealing, which a brick
- * with one processor would not profit from. Arguments that tune stealing are accepted and ignored.
+ * {@code java.util.concurrent.ForkJoinPool}, simplified: daemon workers with one common queue instead of work stealing,
+ * which a brick with one processor would not profit from. Arguments that tune stealing are accepted and ignored.
  */
 public class ForkJoinPool extends AbstractExecutorService {
     /** Processors of the brick. */
     static final int PROCESSORS = 1;
     /** Makes plain {@link ForkJoinWorkerThread}s. */
-    public static final ForkJoinWorkerThreadFactory defaultForkJoinWorkerThreadFactory = pool -> new ForkJoinWorkerThread(pool) { };
+    public static final ForkJoinWorkerThreadFactory defaultForkJoinWorkerThreadFactory =
+            pool -> new ForkJoinWorkerThread(pool) { };
 
     private static final int MAX_PARALLELISM = 32767;
     private static final long KEEP_ALIVE_SECONDS = 60;
@@ -63,7 +64,8 @@ public class ForkJoinPool extends AbstractExecutorService {
 
     private static final class Common {
         static final ForkJoinPool POOL =
-                new ForkJoinPool(PROCESSORS, defaultForkJoinWorkerThreadFactory, null, false, "ForkJoinPool.commonPool-worker-");
+                new ForkJoinPool(PROCESSORS, defaultForkJoinWorkerThreadFactory, null, false,
+                        "ForkJoinPool.commonPool-worker-");
     }
 
     /** Creates a pool as wide as the brick: one processor. */
@@ -99,7 +101,8 @@ public class ForkJoinPool extends AbstractExecutorService {
         this.handler = handler;
         this.asyncMode = asyncMode;
         this.namePrefix = namePrefix;
-        this.workers = new ThreadPoolExecutor(parallelism, parallelism, KEEP_ALIVE_SECONDS, TimeUnit.SECONDS, queue, this::newThread);
+        this.workers = new ThreadPoolExecutor(parallelism, parallelism, KEEP_ALIVE_SECONDS, TimeUnit.SECONDS, queue,
+                this::newThread);
         this.workers.allowCoreThreadTimeOut(true);
     }
 
@@ -325,7 +328,9 @@ public class ForkJoinPool extends AbstractExecutorService {
         return workers.awaitTermination(timeout, unit);
     }
 
-    /** Waits until no task is waiting or running; false if the time passed first. A worker of the pool helps instead. */
+    /**
+     * Waits until no task is waiting or running; false if the time passed first. A worker of the pool helps instead.
+     */
     public boolean awaitQuiescence(long timeout, TimeUnit unit) {
         if (ForkJoinTask.getPool() == this) {
             helpQuiesce();

@@ -12,8 +12,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * {@code java.util.concurrent.ForkJoinTask} on virtual monitors. A worker that joins a task which nobody has begun runs it itself, so
- * workers never wait for each other in a circle.
+ * {@code java.util.concurrent.ForkJoinTask} on virtual monitors. A worker that joins a task which nobody has begun runs
+ * it itself, so workers never wait for each other in a circle.
  */
 public abstract class ForkJoinTask<V> implements Future<V> {
     private enum State {

@@ -12,10 +12,12 @@ import java.util.Queue;
 import java.util.Spliterator;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 
 /**
- * A JDK queue behind one monitor, with a capacity and, for delay queues, heads that are not ready yet. Threads blocked on it are woken in
- * the order in which they came; iterators walk over a copy, which is what "weakly consistent" permits.
+ * A JDK queue behind one monitor, with a capacity and, for delay queues, heads that are not ready yet. Threads blocked
+ * on it are woken in the order in which they came; iterators walk over a copy, which is what "weakly consistent"
+ * permits.
  */
 abstract class GuardedQueue<E> extends AbstractQueue<E> implements BlockingQueue<E> {
     /** Guards the store. */
@@ -147,7 +149,7 @@ abstract class GuardedQueue<E> extends AbstractQueue<E> implements BlockingQueue
 
     @Override
     public int remainingCapacity() {
-        return capacity == Integer.MAX_VALUE ? capacity : capacity - size();
+        return capacity - size();
     }
 
     @Override
@@ -161,6 +163,15 @@ abstract class GuardedQueue<E> extends AbstractQueue<E> implements BlockingQueue
     public boolean remove(Object o) {
         synchronized (guard) {
             boolean removed = store.remove(o);
+            guard.notifyAll();
+            return removed;
+        }
+    }
+
+    @Override
+    public boolean removeIf(Predicate<? super E> filter) {
+        synchronized (guard) {
+            boolean removed = store.removeIf(filter);
             guard.notifyAll();
             return removed;
         }

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Where givers and takers of elements meet; at any moment at most one kind waits. An element may also be left behind by a giver that does
- * not wait. Guarded by its own monitor.
+ * Where givers and takers of elements meet; at any moment at most one kind waits. An element may also be left behind by
+ * a giver that does not wait. Guarded by its own monitor.
  */
 final class HandOff<E> {
     private final boolean firstComeFirstServed;
@@ -114,7 +114,8 @@ final class HandOff<E> {
         }
     }
 
-    private boolean awaitService(Deque<Party<E>> parties, Party<E> party, Deadline deadline) throws InterruptedException {
+    private boolean awaitService(Deque<Party<E>> parties, Party<E> party, Deadline deadline)
+            throws InterruptedException {
         enqueue(parties, party);
         try {
             while (!party.served && deadline.await(this)) {

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * {@code java.util.concurrent.Phaser} on virtual monitors. All phasers of a tree are guarded by the root's monitor, and phases are the
- * root's.
+ * {@code java.util.concurrent.Phaser} on virtual monitors. All phasers of a tree are guarded by the root's monitor, and
+ * phases are the root's.
  */
 public class Phaser {
     private static final int MAX_PARTIES = 0xffff;
@@ -67,7 +67,8 @@ public class Phaser {
             }
             startPhase();
             if (registered + parties > MAX_PARTIES) {
-                throw new IllegalStateException("Attempt to register more than " + MAX_PARTIES + " parties for " + this);
+                throw new IllegalStateException("Attempt to register more than " + MAX_PARTIES + " parties for "
+                        + this);
             }
             if (registered == 0 && parent != null) {
                 parent.register();
@@ -164,11 +165,13 @@ public class Phaser {
     }
 
     /** Waits at most that long until that phase is over; returns the current one, negative when terminated. */
-    public int awaitAdvanceInterruptibly(int phase, long timeout, TimeUnit unit) throws InterruptedException, TimeoutException {
+    public int awaitAdvanceInterruptibly(int phase, long timeout, TimeUnit unit)
+            throws InterruptedException, TimeoutException {
         return awaitAdvance(phase, Deadline.after(timeout, unit), Thread.interrupted());
     }
 
-    private int awaitAdvance(int phase, Deadline deadline, boolean interrupted) throws InterruptedException, TimeoutException {
+    private int awaitAdvance(int phase, Deadline deadline, boolean interrupted)
+            throws InterruptedException, TimeoutException {
         synchronized (root) {
             if (phase < 0) {
                 return phase;

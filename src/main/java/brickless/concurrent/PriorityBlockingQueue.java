@@ -42,7 +42,8 @@ public class PriorityBlockingQueue<E> extends GuardedQueue<E> {
         if (c instanceof PriorityQueue) {
             return (Comparator<? super T>) ((PriorityQueue<? extends T>) c).comparator();
         }
-        return c instanceof PriorityBlockingQueue ? (Comparator<? super T>) ((PriorityBlockingQueue<? extends T>) c).comparator() : null;
+        return c instanceof PriorityBlockingQueue
+                ? (Comparator<? super T>) ((PriorityBlockingQueue<? extends T>) c).comparator() : null;
     }
 
     /** The order, or null for the natural one. */
@@ -60,5 +61,11 @@ public class PriorityBlockingQueue<E> extends GuardedQueue<E> {
     @Override
     public boolean offer(E e, long timeout, TimeUnit unit) {
         return offer(e);
+    }
+
+    /** There is no limit. */
+    @Override
+    public int remainingCapacity() {
+        return Integer.MAX_VALUE;
     }
 }

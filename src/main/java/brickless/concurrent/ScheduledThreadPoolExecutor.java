@@ -40,8 +40,10 @@ public class ScheduledThreadPoolExecutor extends ThreadPoolExecutor implements S
     }
 
     /** Creates a pool. */
-    public ScheduledThreadPoolExecutor(int corePoolSize, ThreadFactory threadFactory, RejectedExecutionHandler handler) {
-        super(corePoolSize, Integer.MAX_VALUE, KEEP_ALIVE_MILLIS, TimeUnit.MILLISECONDS, new DelayedWorkQueue(), threadFactory, handler);
+    public ScheduledThreadPoolExecutor(int corePoolSize, ThreadFactory threadFactory,
+            RejectedExecutionHandler handler) {
+        super(corePoolSize, Integer.MAX_VALUE, KEEP_ALIVE_MILLIS, TimeUnit.MILLISECONDS, new DelayedWorkQueue(),
+                threadFactory, handler);
     }
 
     /** Waiting tasks, the one that is due next first. */
@@ -128,7 +130,8 @@ public class ScheduledThreadPoolExecutor extends ThreadPoolExecutor implements S
     }
 
     private boolean runsAfterShutdown(RunnableScheduledFuture<?> task) {
-        return task.isPeriodic() ? periodicAfterShutdown : delayedAfterShutdown || task.getDelay(TimeUnit.NANOSECONDS) <= 0;
+        return task.isPeriodic() ? periodicAfterShutdown : delayedAfterShutdown
+                || task.getDelay(TimeUnit.NANOSECONDS) <= 0;
     }
 
     private void queue(RunnableScheduledFuture<?> task) {
@@ -211,7 +214,8 @@ public class ScheduledThreadPoolExecutor extends ThreadPoolExecutor implements S
     }
 
     private <V> RunnableScheduledFuture<V> schedule(Runnable command, V result, long delayNanos, long periodNanos) {
-        ScheduledTask<V> task = new ScheduledTask<>(Executors.callable(command, result), dueAfter(delayNanos), periodNanos);
+        ScheduledTask<V> task =
+                new ScheduledTask<>(Executors.callable(command, result), dueAfter(delayNanos), periodNanos);
         task.outer = decorateTask(command, task);
         queue(task.outer);
         return task.outer;

@@ -15,7 +15,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * {@code java.util.concurrent.ThreadPoolExecutor} on virtual threads and monitors.
  *
- * <p>One monitor guards all state. The queue is never called with it held where it could block, nor are tasks or the rejection handler.
+ * <p>One monitor guards all state. The queue is never called with it held where it could block, nor are tasks or the
+ * rejection handler.
  */
 public class ThreadPoolExecutor extends AbstractExecutorService {
     private enum Phase {
@@ -82,10 +83,13 @@ public class ThreadPoolExecutor extends AbstractExecutorService {
         this(corePoolSize, maximumPoolSize, keepAliveTime, unit, workQueue, Executors.defaultThreadFactory(), handler);
     }
 
-    /** Creates a pool; IllegalArgumentException for sizes or a time that make no sense, NullPointerException for nulls. */
+    /**
+     * Creates a pool; IllegalArgumentException for sizes or a time that make no sense, NullPointerException for nulls.
+     */
     public ThreadPoolExecutor(int corePoolSize, int maximumPoolSize, long keepAliveTime, TimeUnit unit,
             BlockingQueue<Runnable> workQueue, ThreadFactory threadFactory, RejectedExecutionHandler handler) {
-        requireArgument(corePoolSize >= 0 && maximumPoolSize > 0 && maximumPoolSize >= corePoolSize && keepAliveTime >= 0);
+        requireArgument(corePoolSize >= 0 && maximumPoolSize > 0 && maximumPoolSize >= corePoolSize
+                && keepAliveTime >= 0);
         this.queue = Objects.requireNonNull(workQueue);
         this.threadFactory = Objects.requireNonNull(threadFactory);
         this.handler = Objects.requireNonNull(handler);
@@ -578,8 +582,10 @@ public class ThreadPoolExecutor extends AbstractExecutorService {
     @Override
     public String toString() {
         synchronized (monitor) {
-            String state = phase == Phase.RUNNING ? "Running" : phase == Phase.TERMINATED ? "Terminated" : "Shutting down";
-            return super.toString() + "[" + state + ", pool size = " + getPoolSize() + ", active threads = " + getActiveCount()
+            String state = phase == Phase.RUNNING ? "Running" : phase == Phase.TERMINATED ? "Terminated"
+                    : "Shutting down";
+            return super.toString() + "[" + state + ", pool size = " + getPoolSize() + ", active threads = "
+                    + getActiveCount()
                     + ", queued tasks = " + queue.size() + ", completed tasks = " + getCompletedTaskCount() + "]";
         }
     }

@@ -3,6 +3,7 @@ package brickless.device;
 import brickless.device.battery.Battery;
 import brickless.device.motor.MotorDevice;
 import brickless.device.motor.MotorFitting;
+import brickless.device.sensor.FloorColour;
 import brickless.device.sensor.RemoteControl;
 import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.SensorPortDevice;
@@ -10,6 +11,7 @@ import brickless.device.sensor.Surroundings;
 import brickless.hardware.MoveRequest;
 import brickless.kernel.Costs;
 import brickless.kernel.Processor;
+import brickless.physics.Arena;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel;
 import java.util.Arrays;
@@ -24,7 +26,7 @@ public final class RobotDevices {
     private static final int PORTS = 4;
 
     private final Processor processor;
-    private final Object lock;
+    private final Arena arena;
     private final Battery battery = new Battery();
     private final RemoteControl remote = new RemoteControl();
     private final MotorDevice[] motors = new MotorDevice[PORTS];
@@ -42,14 +44,20 @@ public final class RobotDevices {
     public RobotDevices(RobotBody robot, Surroundings surroundings, Processor processor, MotorFitting motorFitting,
             SensorFitting sensorFitting) {
         this.processor = processor;
-        this.lock = surroundings.arena();
-        Arrays.setAll(motors, port -> new MotorDevice(port, robot.shaft(port), processor, lock, motorFitting));
+        this.arena = surroundings.arena();
+        Arrays.setAll(motors, port -> new MotorDevice(port, robot.shaft(port), processor, arena, motorFitting));
         Arrays.setAll(sensors, port -> new SensorPortDevice(port, robot, surroundings, remote, processor, sensorFitting));
         RobotModel model = robot.model();
         model.wheels().forEach(wheel -> motors[wheel.port()].plug(wheel.motor()));
         model.turrets().forEach(turret -> motors[turret.port()].plug(turret.motor()));
         model.claws().forEach(claw -> motors[claw.port()].plug(claw.motor()));
         model.sensors().forEach(mount -> sensors[mount.port()].plug(mount));
+    }
+
+    /** The devices of a robot as drawn, with nothing plugged in at run time. */
+    public static RobotDevices of(Arena arena, RobotBody robot, Processor processor, long seed, boolean ideal) {
+        Surroundings surroundings = new Surroundings(arena, FloorColour.of(arena.description()), seed, ideal);
+        return new RobotDevices(robot, surroundings, processor, MotorFitting.FIXED, SensorFitting.FIXED);
     }
 
     /** Output port 0 to 3. */
@@ -67,9 +75,14 @@ public final class RobotDevices {
         return battery;
     }
 
-    /** The infrared remote pointed at this robot. */
-    public RemoteControl remote() {
-        return remote;
+    /** Presses buttons of the infrared remote: channel 1 to 4, code 0 (none) to 11 as leJOS numbers them. */
+    public void remote(int channel, int code) {
+        remote.press(channel, code);
+    }
+
+    /** Sets how loud it is in the arena, decibels; 0 leaves the background noise. */
+    public void soundLevel(double decibels) {
+        arena.sound().setDecibels(decibels);
     }
 
     /** Starts several regulated moves in one command and one control tick, see {@link brickless.hardware.BrickHardware#moveTogether}. */

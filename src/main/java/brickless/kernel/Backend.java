@@ -3,14 +3,17 @@ package brickless.kernel;
 import java.util.function.Consumer;
 
 /**
- * Stacks and the switch between them, nothing else: who runs is decided by {@link Scheduler}. {@link #create}, {@link #switchTo} and
- * {@link #finish} are called on the running fibre's stack (for main threads, {@code create} by the host), the others by the host.
+ * Stacks and the switch between them, nothing else: who runs is decided by {@link Scheduler}. {@link #create}, {@link
+ * #switchTo} and {@link #finish} are called on the running fibre's stack (for main threads, {@code create} by the
+ * host), the others by the host.
  */
 interface Backend {
     /** For reports. */
     String name();
 
-    /** Prepares a stack that will execute {@link Fibre#run}; inheritable thread locals come from the calling fibre. */
+    /**
+     * Prepares a stack that will execute {@link Fibre#run}; inheritable thread locals come from the calling fibre.
+     */
     void create(Fibre fibre);
 
     /**
@@ -23,7 +26,10 @@ interface Backend {
     /** Waits until {@link #finish} ended the run, or it was abandoned. */
     void awaitEnd() throws InterruptedException;
 
-    /** Leaves {@code from}, which calls this, and goes on with {@code to}; returns when {@code from} is switched to again. */
+    /**
+     * Leaves {@code from}, which calls this, and goes on with {@code to}; returns when {@code from} is switched to
+     * again.
+     */
     void switchTo(Fibre from, Fibre to);
 
     /** The last act of {@code from}: goes on with {@code to}, or ends the run if it is null. */

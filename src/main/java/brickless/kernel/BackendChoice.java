@@ -10,8 +10,9 @@ public enum BackendChoice {
     CONTINUATIONS;
 
     /**
-     * The JVM options that grant access to continuations, and to the thread locals that each program thread must have of its own
-     * (a jar's manifest says {@code Add-Exports: java.base/jdk.internal.vm} and {@code Add-Opens: java.base/java.lang}).
+     * The JVM options that grant access to continuations, and to the thread locals that each program thread must have
+     * of its own (a jar's manifest says {@code Add-Exports: java.base/jdk.internal.vm} and {@code Add-Opens:
+     * java.base/java.lang}).
      */
     public static final String CONTINUATION_OPTIONS =
             "--add-exports java.base/jdk.internal.vm=ALL-UNNAMED --add-opens java.base/java.lang=ALL-UNNAMED";
@@ -26,8 +27,8 @@ public enum BackendChoice {
             return new ThreadBackend(stackBytes);
         }
         if (!continuationsAvailable()) {
-            throw new UnsupportedOperationException("continuations need JDK 21 or later, started with " + CONTINUATION_OPTIONS + " ("
-                    + ContinuationAccess.OBSTACLE + ")");
+            throw new UnsupportedOperationException("continuations need JDK 21 or later, started with "
+                    + CONTINUATION_OPTIONS + " (" + ContinuationAccess.OBSTACLE + ")");
         }
         return new ContinuationBackend(stackBytes);
     }

@@ -5,8 +5,8 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 
 /**
- * The JDK's internal continuations and the thread locals of a carrier, through method handles, because neither can be named in source
- * for JDK 17. Constants only: either all handles are there or {@link #OBSTACLE} says what is missing.
+ * The JDK's internal continuations and the thread locals of a carrier, through method handles, because neither can be
+ * named in source for JDK 17. Constants only: either all handles are there or {@link #OBSTACLE} says what is missing.
  */
 final class ContinuationAccess {
     /** What this JVM lacks, or null if continuations work. */
@@ -46,10 +46,10 @@ final class ContinuationAccess {
     private record FieldHandles(MethodHandle getter, MethodHandle setter) {
         static FieldHandles of(MethodHandles.Lookup lookup, String name) throws ReflectiveOperationException {
             Class<?> type = Class.forName("java.lang.ThreadLocal$ThreadLocalMap");
-            return new FieldHandles(
-                    lookup.findGetter(Thread.class, name, type).asType(MethodType.methodType(Object.class, Thread.class)),
-                    lookup.findSetter(Thread.class, name, type)
-                            .asType(MethodType.methodType(void.class, Thread.class, Object.class)));
+            MethodType get = MethodType.methodType(Object.class, Thread.class);
+            MethodType set = MethodType.methodType(void.class, Thread.class, Object.class);
+            return new FieldHandles(lookup.findGetter(Thread.class, name, type).asType(get),
+                    lookup.findSetter(Thread.class, name, type).asType(set));
         }
     }
 
@@ -74,7 +74,8 @@ final class ContinuationAccess {
     /**
      * Leaves the running continuation.
      *
-     * @return true once it was run again; false at once if its stack cannot be moved, because it holds a native frame or a JVM monitor
+     * @return true once it was run again; false at once if its stack cannot be moved, because it holds a native frame
+     *     or a JVM monitor
      */
     static boolean yield() {
         try {
@@ -129,12 +130,14 @@ final class ContinuationAccess {
             MethodHandles.Lookup lookup = MethodHandles.lookup();
             Class<?> type = Class.forName(CONTINUATION);
             Class<?> scopeType = Class.forName(SCOPE);
-            Object scope = lookup.findConstructor(scopeType, MethodType.methodType(void.class, String.class)).invoke("brickless");
+            Object scope = lookup.findConstructor(scopeType, MethodType.methodType(void.class, String.class))
+                    .invoke("brickless");
             handles[0] = lookup.findConstructor(type, MethodType.methodType(void.class, scopeType, Runnable.class))
                     .bindTo(scope).asType(MethodType.methodType(Object.class, Runnable.class));
             handles[1] = lookup.findVirtual(type, "run", MethodType.methodType(void.class))
                     .asType(MethodType.methodType(void.class, Object.class));
-            handles[2] = lookup.findStatic(type, "yield", MethodType.methodType(boolean.class, scopeType)).bindTo(scope);
+            handles[2] = lookup.findStatic(type, "yield", MethodType.methodType(boolean.class, scopeType))
+                    .bindTo(scope);
             handles[3] = lookup.findVirtual(type, "getStackTrace", MethodType.methodType(StackTraceElement[].class))
                     .asType(MethodType.methodType(StackTraceElement[].class, Object.class));
             MethodHandles.Lookup inThread = MethodHandles.privateLookupIn(Thread.class, lookup);

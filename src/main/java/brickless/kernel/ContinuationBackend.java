@@ -11,9 +11,10 @@ import java.util.function.Consumer;
 /**
  * Each fibre is a continuation; one host thread, the carrier, runs them all.
  *
- * <p>A stack with a native frame on it (a static initialiser, reflection) or a JVM monitor held cannot be left. Such a fibre keeps its
- * carrier, which parks, and another carrier runs the others until its turn comes: for that time it is what {@link ThreadBackend} makes
- * of every fibre. Exactly one carrier has the turn; it owns all fields that are not volatile.
+ * <p>A stack with a native frame on it (a static initialiser, reflection) or a JVM monitor held cannot be left. Such
+ * a fibre keeps its carrier, which parks, and another carrier runs the others until its turn comes: for that time it
+ * is what {@link ThreadBackend} makes of every fibre. Exactly one carrier has the turn; it owns all fields that are
+ * not volatile.
  */
 final class ContinuationBackend implements Backend {
     private final long stackBytes;

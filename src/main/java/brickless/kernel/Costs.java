@@ -3,8 +3,9 @@ package brickless.kernel;
 /**
  * What operations cost in virtual time, in nanoseconds.
  *
- * <p>All of them are estimates for the EV3's 300 MHz ARM9 running leJOS 0.9.1: assumptions, not measurements of a brick. They need only
- * be right in order of magnitude: they decide how often a polling loop polls and that no loop is free.
+ * <p>All of them are estimates for the EV3's 300 MHz ARM9 running leJOS 0.9.1: assumptions, not measurements of a
+ * brick. They need only be right in order of magnitude: they decide how often a polling loop polls and that no loop
+ * is free.
  */
 public final class Costs {
     /** One turn of a loop that does some work (estimate). */
@@ -13,7 +14,10 @@ public final class Costs {
     public static final int PURE_SPIN_NANOS = 20_000;
     /** The first {@code Thread.yield} after progress (estimate). */
     public static final int YIELD_NANOS = 100_000;
-    /** The longest charge for {@code Thread.yield}, reached by doubling while a thread yields without progress (estimate). */
+    /**
+     * The longest charge for {@code Thread.yield}, reached by doubling while a thread yields without progress
+     * (estimate).
+     */
     public static final int LONGEST_YIELD_NANOS = 1_000_000;
     /** Reading an analog or UART sensor (estimate). */
     public static final int SENSOR_READ_NANOS = 200_000;

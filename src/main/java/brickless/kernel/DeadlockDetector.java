@@ -3,10 +3,11 @@ package brickless.kernel;
 /**
  * Finds threads that can never go on.
  *
- * <p>All of a program: nobody is ready, no time-out is set and nobody waits for a device. Some of it: a cycle in the graph of who waits
- * for whom, through owners of monitors and threads being joined. Monitors cannot be given up, so a cycle of them is final at once; a
- * cycle with a {@code join} could still be broken by an interrupt and is given {@value #GRACE_NANOS} ns. Waits with a time-out, for
- * {@code notify}, for {@code unpark} or for a device are no edges.
+ * <p>All of a program: nobody is ready, no time-out is set and nobody waits for a device. Some of it: a cycle in the
+ * graph of who waits for whom, through owners of monitors and threads being joined. Monitors cannot be given up, so a
+ * cycle of them is final at once; a cycle with a {@code join} could still be broken by an interrupt and is given
+ * {@value #GRACE_NANOS} ns. Waits with a time-out, for {@code notify}, for {@code unpark} or for a device are no
+ * edges.
  */
 final class DeadlockDetector {
     /** Assumption: a program that means to interrupt a joining thread does so within ten seconds. */
@@ -31,7 +32,8 @@ final class DeadlockDetector {
         }
         if (cycleHasJoin(fibre)) {
             long blocks = fibre.blocks;
-            clock.schedule(new Event(() -> blockedStill(fibre, blocks)), VirtualClock.saturatedSum(clock.now(), GRACE_NANOS));
+            Event secondLook = new Event(() -> blockedStill(fibre, blocks));
+            clock.schedule(secondLook, VirtualClock.saturatedSum(clock.now(), GRACE_NANOS));
         } else {
             declare();
         }
@@ -40,7 +42,7 @@ final class DeadlockDetector {
     /** Ends the program as deadlocked. */
     void declare() {
         ThreadDump dump = new ThreadDump("deadlock", clock.now(), scheduler.backend());
-        ending.kill(ProgramEnd.Kind.DEADLOCK, clock.now(), 0, dump.of(roster.live(), scheduler.current()));
+        ending.kill(ProgramEnd.Kind.DEADLOCK, clock.now(), 0, dump.of(roster.live()));
     }
 
     private void blockedStill(Fibre fibre, long blocks) {
@@ -71,7 +73,10 @@ final class DeadlockDetector {
         return false;
     }
 
-    /** The one fibre without which this one cannot go on, or null. A thread that joins itself just wants to wait for ever. */
+    /**
+     * The one fibre without which this one cannot go on, or null. A thread that joins itself just wants to wait for
+     * ever.
+     */
     private static Fibre waitsFor(Fibre fibre) {
         return switch (fibre.state) {
             case BLOCKED -> fibre.monitor.owner;

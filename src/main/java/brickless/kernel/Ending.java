@@ -18,7 +18,9 @@ final class Ending {
         return killing;
     }
 
-    /** Whether the host gave the running fibre up: it may still run, so nothing of the kernel may be touched any more. */
+    /**
+     * Whether the host gave the running fibre up: it may still run, so nothing of the kernel may be touched any more.
+     */
     boolean abandoned() {
         return abandoned;
     }

@@ -8,9 +8,10 @@ import java.util.concurrent.CancellationException;
 /**
  * Several kernels, one for each robot of a world, that meet at the physics steps.
  *
- * <p>Between two steps each kernel runs its own share, in the order of the list; when all have reached the boundary the step handler is
- * called once. A kernel whose program ended drops out. Events of a kernel run in its share: what concerns the whole world belongs into
- * the step handler. All kernels share the first kernel's back-end and watchdog settings and must have the same step length.
+ * <p>Between two steps each kernel runs its own share, in the order of the list; when all have reached the boundary
+ * the step handler is called once. A kernel whose program ended drops out. Events of a kernel run in its share: what
+ * concerns the whole world belongs into the step handler. All kernels share the first kernel's back-end and watchdog
+ * settings and must have the same step length.
  *
  * <p>With one kernel, the step handler is called straight from its clock.
  */
@@ -34,9 +35,9 @@ public final class Ensemble {
         this.kernels = List.copyOf(kernels);
         this.stepHandler = stepHandler;
         this.over = new boolean[kernels.size()];
-        this.boundaryNanos = stepNanos();
         if (kernels.stream().mapToLong(kernel -> kernel.settings().stepNanos()).distinct().count() != 1) {
-            throw new IllegalArgumentException("an ensemble needs at least one kernel, and all with the same step length");
+            throw new IllegalArgumentException(
+                    "an ensemble needs at least one kernel, and all with the same step length");
         }
     }
 
@@ -44,7 +45,8 @@ public final class Ensemble {
      * Runs all programs to their ends and waits for them. An ensemble runs once.
      *
      * @return how each program ended, in the order of the kernels
-     * @throws CancellationException if the calling thread is interrupted: the programs are then ended and the interrupt flag kept
+     * @throws CancellationException if the calling thread is interrupted: the programs are then ended and the
+     *     interrupt flag kept
      */
     public List<ProgramEnd> run() {
         KernelSettings settings = kernels.get(0).settings();
@@ -61,10 +63,6 @@ public final class Ensemble {
             watchdog.stop();
             kernels.forEach(Kernel::release);
         }
-    }
-
-    private long stepNanos() {
-        return kernels.get(0).settings().stepNanos();
     }
 
     private StepHandler handlerFor(int index) {
@@ -167,7 +165,7 @@ public final class Ensemble {
     /** From the watchdog's thread. */
     private void abandonRunaway() {
         Kernel runaway = kernels.get(running);
-        String dump = runaway.dumpFromOutside("runaway");
+        String dump = runaway.dump("runaway");
         runaway.ending().abandon(runaway.nowNanos(), dump);
         abandonAll("ended because " + runaway.settings().name() + " is a runaway\n");
     }

@@ -2,7 +2,10 @@ package brickless.kernel;
 
 import java.util.Arrays;
 
-/** Events by time, those of one time in order of insertion: a binary heap whose events know their place, so that removal is fast too. */
+/**
+ * Events by time, those of one time in order of insertion: a binary heap whose events know their place, so that
+ * removal is fast too.
+ */
 final class EventQueue {
     private Event[] heap = new Event[16];
     private int size;

@@ -4,7 +4,10 @@ import java.util.Random;
 
 /** Numbers that a JVM would draw from its host: random seeds, identity hash codes, thread numbers and ids. */
 final class Identities {
-    /** A full-period generator modulo 2^31 (constants of ANSI C's {@code rand}), so that hashes spread over hash tables. */
+    /**
+     * A full-period generator modulo 2^31 (constants of ANSI C's {@code rand}), so that hashes spread over hash
+     * tables.
+     */
     private static final int HASH_FACTOR = 1_103_515_245;
     private static final int HASH_INCREMENT = 12_345;
     private static final int FIRST_HASH = 0x1000;

@@ -17,9 +17,10 @@ import java.util.Objects;
  * ProgramEnd end = kernel.run(mainThread, () -&gt; Main.main(args));
  * </pre>
  *
- * <p>A kernel runs once. Methods of {@link VirtualMachine}, {@link #charge}, {@link #progress} and waits for signals belong to the program's
- * threads; {@link #at}, signals, {@link #goalReached}, {@link #timeUp} and {@link #fail} to them, to step handlers and to events.
- * Kernels share nothing with each other: any number may run at the same time on different host threads.
+ * <p>A kernel runs once. Methods of {@link VirtualMachine}, {@link #charge}, {@link #progress} and waits for signals
+ * belong to the program's threads; {@link #at}, signals, {@link #goalReached}, {@link #timeUp} and {@link #fail} to
+ * them, to step handlers and to events. Kernels share nothing with each other: any number may run at the same time on
+ * different host threads.
  */
 public final class Kernel implements VirtualMachine, Processor {
     private static final int NANOS_PER_MILLI = 1_000_000;
@@ -37,6 +38,7 @@ public final class Kernel implements VirtualMachine, Processor {
     private final Identities identities;
     private final Streams streams = new Streams();
     private KernelListener listener = new KernelListener() { };
+    private String backendName;
     private Turns turns;
     private Thread mainThread;
     private Runnable mainBody;
@@ -87,8 +89,8 @@ public final class Kernel implements VirtualMachine, Processor {
     /**
      * Runs a program to its end on host threads of its own and waits for it.
      *
-     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted: the program is then ended and the
-     *     interrupt flag kept
+     * @throws java.util.concurrent.CancellationException if the calling thread is interrupted: the program is then
+     *     ended and the interrupt flag kept
      */
     public ProgramEnd run(Thread thread, Runnable body) {
         main(thread, body);
@@ -110,9 +112,9 @@ public final class Kernel implements VirtualMachine, Processor {
         return scheduler.switches();
     }
 
-    /** {@code threads} or {@code continuation}; known once the run has begun. */
+    /** {@code threads} or {@code continuation}; null before the run. */
     public String backendName() {
-        return scheduler.backend().name();
+        return backendName;
     }
 
     /** How the program ended, or null if it has not. */
@@ -120,12 +122,15 @@ public final class Kernel implements VirtualMachine, Processor {
         return ending.end();
     }
 
-    /** The program's threads, as in a deadlock's dump; from its threads, a step handler or an event. */
+    /** The program's threads, as in a deadlock's dump; during the run. */
     public String dump(String title) {
-        return new ThreadDump(title, clock.now(), scheduler.backend()).of(roster.live(), scheduler.current());
+        return new ThreadDump(title, clock.now(), scheduler.backend()).of(List.copyOf(roster.live()));
     }
 
-    /** Runs an action at a virtual time, between program instructions; a time that has passed means as soon as possible. */
+    /**
+     * Runs an action at a virtual time, between program instructions; a time that has passed means as soon as
+     * possible.
+     */
     public void at(long timeNanos, Runnable action) {
         clock.schedule(new Event(Objects.requireNonNull(action, "action")), timeNanos);
     }
@@ -356,6 +361,7 @@ public final class Kernel implements VirtualMachine, Processor {
         turns = newTurns;
         contextLoader = mainThread.getContextClassLoader();
         clock.stepWith(handler);
+        backendName = backend.name();
         scheduler.attach(backend, heartbeat);
         admit(mainThread, mainBody);
         scheduler.begin();
@@ -370,13 +376,12 @@ public final class Kernel implements VirtualMachine, Processor {
         return ending;
     }
 
-    /** What the host's watchdog says about a program that does not come back; from the host. */
-    String dumpFromOutside(String title) {
-        return new ThreadDump(title, clock.now(), scheduler.backend()).of(List.copyOf(roster.live()), null);
-    }
-
-    /** Lets go of all that belongs to the program. */
+    /** Lets go of all that belongs to the program, unless a runaway may still use it. */
     void release() {
+        if (ending.abandoned()) {
+            return;
+        }
+        scheduler.release();
         monitors.clear();
         roster.clear();
         clock.clear();
@@ -384,6 +389,7 @@ public final class Kernel implements VirtualMachine, Processor {
         mainThread = null;
         mainBody = null;
         contextLoader = null;
+        turns = null;
     }
 
     private void end(ProgramEnd.Kind kind) {
@@ -407,10 +413,17 @@ public final class Kernel implements VirtualMachine, Processor {
             // Unwound on purpose: the end of the program is on record already.
             assert ending.killing();
         } catch (Throwable e) {
-            uncaughtExceptions.thrown(fibre.thread, e);
+            thrown(fibre, e);
         }
         if (!ending.abandoned()) {
             leave(fibre);
+        }
+    }
+
+    /** What a program throws while it is being ended is nobody's concern. */
+    private void thrown(Fibre fibre, Throwable failure) {
+        if (!ending.killing()) {
+            uncaughtExceptions.thrown(fibre.thread, failure);
         }
     }
 

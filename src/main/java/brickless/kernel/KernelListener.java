@@ -20,8 +20,8 @@ public interface KernelListener {
     }
 
     /**
-     * A program thread ended by an exception for which the program has no handler; the run will end as {@code failed}.
-     * Called on that program thread, before it ends: may charge and block.
+     * A program thread ended by an exception for which the program has no handler; the run will end as {@code
+     * failed}. Called on that program thread, before it ends: may charge and block.
      */
     default void uncaught(Thread thread, Throwable failure) {
     }

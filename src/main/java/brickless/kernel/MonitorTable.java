@@ -3,8 +3,9 @@ package brickless.kernel;
 /**
  * Monitors by the identity of their objects: open addressing with linear probing.
  *
- * <p>Identity hash codes, which come from the host, decide only where an entry lies, and nothing iterates over the entries. Idle
- * monitors are taken out at once, so no object is kept alive, and used again for other objects, so the usual enter allocates nothing.
+ * <p>Identity hash codes, which come from the host, decide only where an entry lies, and nothing iterates over the
+ * entries. Idle monitors are taken out at once, so no object is kept alive, and used again for other objects, so the
+ * usual enter allocates nothing.
  */
 final class MonitorTable {
     private static final int FIRST_CAPACITY = 64;

@@ -5,8 +5,9 @@ import java.util.Objects;
 /**
  * Virtual {@code synchronized}, {@code wait} and {@code notify}.
  *
- * <p>Leaving a monitor wakes the first entrant but leaves the monitor free: whoever runs first gets it (direct hand-over at every exit
- * makes threads march in convoys). An entrant that lost {@value #LONGEST_BYPASS} times is handed the monitor, so that nobody starves.
+ * <p>Leaving a monitor wakes the first entrant but leaves the monitor free: whoever runs first gets it (direct
+ * hand-over at every exit makes threads march in convoys). An entrant that lost {@value #LONGEST_BYPASS} times is
+ * handed the monitor, so that nobody starves.
  */
 final class Monitors {
     /** Assumption: on a brick, jitter lets a waiting thread in after a few attempts. */
@@ -42,7 +43,10 @@ final class Monitors {
         }
     }
 
-    /** Never switches; while the program is being ended it does nothing, as what it would release may be held by anybody. */
+    /**
+     * Never switches; while the program is being ended it does nothing, as what it would release may be held by
+     * anybody.
+     */
     void exit(Object lock) {
         if (ending.killing()) {
             return;

@@ -3,8 +3,9 @@ package brickless.kernel;
 import java.util.Random;
 
 /**
- * A schedule drawn from a seed, to find races and lock-order deadlocks: any ready fibre is next, every fourth slice is a very short one,
- * and one in six entries of monitors is preceded by a switch. The same seed gives the same schedule.
+ * A schedule drawn from a seed, to find races and lock-order deadlocks: any ready fibre is next, every fourth slice
+ * is a very short one, and one in six entries of monitors is preceded by a switch. The same seed gives the same
+ * schedule.
  */
 final class RandomSchedule implements Schedule {
     private static final int SHORT_SLICE_ONE_IN = 4;

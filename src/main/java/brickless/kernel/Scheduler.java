@@ -4,10 +4,11 @@ import brickless.kernel.hooks.Budget;
 import java.util.List;
 
 /**
- * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all wait.
+ * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all
+ * wait.
  *
- * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock itself until
- * something is ready; if that is the same fibre, it just goes on and no stack is switched.
+ * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock
+ * itself until something is ready; if that is the same fibre, it just goes on and no stack is switched.
  */
 final class Scheduler {
     private final VirtualClock clock;
@@ -15,15 +16,20 @@ final class Scheduler {
     private final Schedule schedule;
     private final Roster roster;
     private final DeadlockDetector deadlocks;
-    private final FibreQueue ready = new FibreQueue();
+    private FibreQueue ready = new FibreQueue();
     private KernelListener listener = new KernelListener() { };
     private Backend backend;
     private Heartbeat heartbeat;
     private Fibre current;
-    /** When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another is ready. */
+    /**
+     * When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another
+     * is ready.
+     */
     private long sliceEnd;
     private long switches;
-    /** Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside. */
+    /**
+     * Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside.
+     */
     private int wakeable;
 
     Scheduler(VirtualClock clock, Ending ending, Schedule schedule, Roster roster) {
@@ -184,6 +190,13 @@ final class Scheduler {
     /** Stops the budget, so that the next back-edge enters the kernel and finds the program being ended. */
     void exhaustBudget() {
         clock.settle(0);
+    }
+
+    /** Lets go of the program after the run. */
+    void release() {
+        current = null;
+        ready = new FibreQueue();
+        backend = null;
     }
 
     /** What runs after the running fibre has ended, already made current; null if the program is over. */

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** {@code System.exit} and the end of the last thread: shutdown hooks run as ordinary threads in virtual time, then the program is ended. */
+/**
+ * {@code System.exit} and the end of the last thread: shutdown hooks run as ordinary threads in virtual time, then
+ * the program is ended.
+ */
 final class Shutdown {
     private final Scheduler scheduler;
     private final VirtualClock clock;
@@ -39,8 +42,8 @@ final class Shutdown {
     }
 
     /**
-     * {@code System.exit}. The caller waits until all hooks have ended. A hook that calls it counts as ended (in a JVM it would hang for
-     * ever).
+     * {@code System.exit}. The caller waits until all hooks have ended. A hook that calls it counts as ended (in a
+     * JVM it would hang for ever).
      */
     void exit(int newStatus) {
         scheduler.enter();

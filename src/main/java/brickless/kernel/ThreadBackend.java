@@ -9,11 +9,12 @@ import java.util.function.Consumer;
 /**
  * One platform thread for each fibre; exactly one has the turn, all others are parked.
  *
- * <p>The carrier that gave the turn away last spins for a moment before it parks, because threads often come back at once (waking a
- * parked thread costs some 20 µs, a spinning one less than 1 µs).
+ * <p>The carrier that gave the turn away last spins for a moment before it parks, because threads often come back at
+ * once (waking a parked thread costs some 20 µs, a spinning one less than 1 µs).
  */
 final class ThreadBackend implements Backend {
-    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 2_000 : 0;
+    /** About as long as waking takes. */
+    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 500 : 0;
 
     private final long stackBytes;
     private final CountDownLatch over = new CountDownLatch(1);

@@ -1,11 +1,14 @@
 package brickless.kernel;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** The program's threads in the program's own terms: names, states, locks and its own source lines. */
 final class ThreadDump {
     private static final List<String> NOT_THE_PROGRAMS =
             List.of("brickless.", "lejos.internal.", "java.", "javax.", "jdk.", "sun.", "com.sun.");
+    /** In the names of the JDK's own classes behind lambdas. */
+    private static final String LAMBDA_PROXY = "$$Lambda";
     private static final int MICROS_PER_MILLI = 1_000;
     private static final int NANOS_PER_MICRO = 1_000;
 
@@ -19,33 +22,30 @@ final class ThreadDump {
         text.append(title).append(" at ").append(micros / MICROS_PER_MILLI).append('.').append(fraction).append(" ms\n");
     }
 
-    /**
-     * Lists fibres.
-     *
-     * @param caller the fibre on whose stack this is called, or null if from outside
-     */
-    String of(List<Fibre> fibres, Fibre caller) {
+    /** Lists fibres; from any thread. */
+    String of(List<Fibre> fibres) {
         for (Fibre fibre : fibres) {
-            append(fibre, fibre == caller ? new Throwable().getStackTrace() : fibre.begun ? backend.stackOf(fibre) : null);
+            append(fibre);
         }
         return text.toString();
     }
 
-    private void append(Fibre fibre, StackTraceElement[] stack) {
+    private void append(Fibre fibre) {
         text.append(name(fibre)).append(' ').append(fibre.threadState());
         appendReason(fibre);
-        StringBuilder frames = new StringBuilder();
-        if (stack != null) {
-            for (StackTraceElement frame : stack) {
-                if (isPrograms(frame)) {
-                    if (frames.length() == 0) {
-                        text.append(" at ").append(frame.getFileName()).append(':').append(frame.getLineNumber());
-                    }
-                    frames.append("    at ").append(inShort(frame)).append('\n');
-                }
-            }
+        StackTraceElement[] frames = fibre.begun ? programFrames(fibre) : new StackTraceElement[0];
+        if (frames.length > 0) {
+            text.append(" at ").append(frames[0].getFileName()).append(':').append(frames[0].getLineNumber());
         }
-        text.append('\n').append(frames);
+        text.append('\n');
+        for (StackTraceElement frame : frames) {
+            text.append("    at ").append(frame).append('\n');
+        }
+    }
+
+    private StackTraceElement[] programFrames(Fibre fibre) {
+        return Arrays.stream(backend.stackOf(fibre)).filter(ThreadDump::isPrograms).map(ThreadDump::inShort)
+                .toArray(StackTraceElement[]::new);
     }
 
     private void appendReason(Fibre fibre) {
@@ -74,7 +74,8 @@ final class ThreadDump {
     }
 
     private static boolean isPrograms(StackTraceElement frame) {
-        return NOT_THE_PROGRAMS.stream().noneMatch(frame.getClassName()::startsWith);
+        String type = frame.getClassName();
+        return !type.contains(LAMBDA_PROXY) && NOT_THE_PROGRAMS.stream().noneMatch(type::startsWith);
     }
 
     /** Without module and class loader, which say nothing to the program's author. */

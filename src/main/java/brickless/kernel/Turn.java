@@ -2,7 +2,10 @@ package brickless.kernel;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** Lets one host thread wait until another one hands it the turn; the hand-over orders all memory accesses before and after it. */
+/**
+ * Lets one host thread wait until another one hands it the turn; the hand-over orders all memory accesses before and
+ * after it.
+ */
 final class Turn {
     private final Thread thread;
     /** Touched by the giver only, who has the turn. */

@@ -2,7 +2,10 @@ package brickless.kernel;
 
 import brickless.kernel.hooks.ProgramKilled;
 
-/** Who hears of an exception that ended a thread: the thread's handler, else the program's default handler, else the run, which fails. */
+/**
+ * Who hears of an exception that ended a thread: the thread's handler, else the program's default handler, else the
+ * run, which fails.
+ */
 final class UncaughtExceptions {
     private final Ending ending;
     private KernelListener listener = new KernelListener() { };

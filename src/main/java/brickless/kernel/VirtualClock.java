@@ -3,11 +3,12 @@ package brickless.kernel;
 import brickless.kernel.hooks.Budget;
 
 /**
- * Virtual time of one robot. It passes only by spending the budget that rewritten code counts down, and by jumps while all threads wait.
+ * Virtual time of one robot. It passes only by spending the budget that rewritten code counts down, and by jumps
+ * while all threads wait.
  *
- * <p>Time now = {@code base} + what was granted − what is left. The grant never reaches beyond the next event, so nothing that is due
- * can be missed; what is overdue by the last charge runs, with the clock set to its own time, at the next kernel entry and before any
- * device can be touched. Used by the running fibre only.
+ * <p>Time now = {@code base} + what was granted − what is left. The grant never reaches beyond the next event, so
+ * nothing that is due can be missed; what is overdue by the last charge runs, with the clock set to its own time, at
+ * the next kernel entry and before any device can be touched. Used by the running fibre only.
  */
 final class VirtualClock {
     private static final long LONGEST_GRANT_NANOS = 1_000_000_000L;
@@ -81,7 +82,10 @@ final class VirtualClock {
         budget.grant(budget.left() - nanos);
     }
 
-    /** Brings the clock up to now + {@code nanos}, running all that is due on the way; stops early when the program is being ended. */
+    /**
+     * Brings the clock up to now + {@code nanos}, running all that is due on the way; stops early when the program is
+     * being ended.
+     */
     void settle(long nanos) {
         advanceTo(saturatedSum(now(), nanos));
     }

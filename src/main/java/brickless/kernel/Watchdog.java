@@ -4,17 +4,22 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Ends a run whose program does not enter the kernel for a long host time, which only a loop wholly inside code that is not rewritten (the
- * JDK's) can do. Counts looks without a heartbeat instead of reading a clock, so that a machine that slept does not look like a runaway.
+ * Ends a run whose program does not enter the kernel for a long host time, which only a loop wholly inside code that
+ * is not rewritten (the JDK's) can do. Counts looks without a heartbeat instead of reading a clock, so that a machine
+ * that slept does not look like a runaway.
  */
 final class Watchdog {
-    private static final int LOOKS = 10;
+    static final int LOOKS = 10;
 
     private final Heartbeat heartbeat;
     private final Runnable onRunaway;
     private final CountDownLatch stopped = new CountDownLatch(1);
 
-    private Watchdog(Heartbeat heartbeat, Runnable onRunaway) {
+    /** Owned by the watching thread. */
+    private long last = -1;
+    private int stale;
+
+    Watchdog(Heartbeat heartbeat, Runnable onRunaway) {
         this.heartbeat = heartbeat;
         this.onRunaway = onRunaway;
     }
@@ -35,22 +40,24 @@ final class Watchdog {
     }
 
     private void watch(long periodNanos) {
-        int stale = 0;
-        long last = heartbeat.read();
         try {
-            while (stale < LOOKS) {
+            do {
                 if (stopped.await(periodNanos, TimeUnit.NANOSECONDS)) {
                     return;
                 }
-                long now = heartbeat.read();
-                stale = now == last && !Heartbeat.inHost(now) ? stale + 1 : 0;
-                last = now;
-            }
+            } while (!isRunaway(heartbeat.read()));
         } catch (InterruptedException e) {
             // Nobody interrupts this thread but a host that shuts down.
             Thread.currentThread().interrupt();
             return;
         }
         onRunaway.run();
+    }
+
+    /** Takes the result of one look at the heart. */
+    boolean isRunaway(long reading) {
+        stale = reading == last && !Heartbeat.inHost(reading) ? stale + 1 : 0;
+        last = reading;
+        return stale >= LOOKS;
     }
 }

@@ -28,7 +28,7 @@ final class ClassRewriter {
         JdkCallRedirects redirects = new JdkCallRedirects(catalog);
         ConstructedReplacements constructed = new ConstructedReplacements(replacements);
         classPasses = List.of(new Finalizers(catalog), initialisers, new MethodReferenceBridges(redirects, constructed, catalog), constructed);
-        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed, new StandardStreams(), new StringConcatenation(),
+        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed, new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
                 new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(), new CallDepth(),
                 new SynchronizedMethods());
     }
@@ -42,7 +42,8 @@ final class ClassRewriter {
         ClassReader reader = ClassFiles.reader(file, name);
         ClassNode type = new ClassNode();
         try {
-            reader.accept(new ClassRemapper(type, replacements), ClassReader.EXPAND_FRAMES);
+            boolean meansTheJdk = JdkReplacements.isReplacement(name);
+            reader.accept(meansTheJdk ? type : new ClassRemapper(type, replacements), ClassReader.EXPAND_FRAMES);
         } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
             throw ClassFiles.damaged(file, name, damaged);
         }

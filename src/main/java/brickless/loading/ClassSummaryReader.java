@@ -46,7 +46,7 @@ final class ClassSummaryReader extends ClassVisitor {
     @Override
     public void visit(int version, int access, String name, String signature, String superclass, String[] interfaces) {
         isInterface = (access & Opcodes.ACC_INTERFACE) != 0;
-        superName = superclass == null ? null : replacements.map(superclass);
+        superName = superclass == null || JdkReplacements.isReplacement(name) ? superclass : replacements.map(superclass);
     }
 
     @Override
@@ -74,7 +74,7 @@ final class ClassSummaryReader extends ClassVisitor {
         }
 
         private void uses(String owner) {
-            if (THREAD.equals(owner) || isProgram.test(replacements.map(owner))) {
+            if (THREAD.equals(owner) || isProgram.test(JdkReplacements.isReplacement(self) ? owner : replacements.map(owner))) {
                 initialisation = Initialisation.MAY_BLOCK;
             }
         }

@@ -12,8 +12,6 @@ import org.objectweb.asm.tree.TypeInsnNode;
  * that the replacement declares too are called there. Types stay the JDK's.
  */
 final class ConstructedReplacements implements ClassPass, MethodPass {
-    private static final String OUR_REPLACEMENTS = "brickless/concurrent/";
-
     private final JdkReplacements replacements;
 
     ConstructedReplacements(JdkReplacements replacements) {
@@ -22,30 +20,27 @@ final class ConstructedReplacements implements ClassPass, MethodPass {
 
     @Override
     public void rewrite(ClassNode type) {
-        if (type.superName != null && !isReplacement(type)) {
+        if (type.superName != null && !JdkReplacements.isReplacement(type.name)) {
             type.superName = orSame(type.superName);
         }
     }
 
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
+        String ownParent = JdkReplacements.isReplacement(type.name) ? type.superName : null;
         for (AbstractInsnNode node : method.instructions.toArray()) {
             if (node.getOpcode() == Opcodes.NEW) {
                 TypeInsnNode creation = (TypeInsnNode) node;
-                creation.desc = isReplacement(type) && creation.desc.equals(type.superName) ? creation.desc : orSame(creation.desc);
-            } else if (node.getOpcode() == Opcodes.INVOKESPECIAL && !(isReplacement(type) && ((MethodInsnNode) node).owner.equals(type.superName))) {
-                ((MethodInsnNode) node).owner = orSame(((MethodInsnNode) node).owner);
-            } else if (node.getOpcode() == Opcodes.INVOKESTATIC && !isReplacement(type)) {
+                creation.desc = creation.desc.equals(ownParent) ? ownParent : orSame(creation.desc);
+            } else if (node.getOpcode() == Opcodes.INVOKESPECIAL) {
+                MethodInsnNode call = (MethodInsnNode) node;
+                call.owner = call.owner.equals(ownParent) ? ownParent : orSame(call.owner);
+            } else if (node.getOpcode() == Opcodes.INVOKESTATIC && ownParent == null) {
                 MethodInsnNode call = (MethodInsnNode) node;
                 String owner = replacements.staticOwner(call.owner, call.name + call.desc);
                 call.owner = owner == null ? call.owner : owner;
             }
         }
-    }
-
-    /** Whether a class is one of the replacements: those may extend and call the JDK's. */
-    private static boolean isReplacement(ClassNode type) {
-        return type.name.startsWith(OUR_REPLACEMENTS);
     }
 
     /** Whether creating, or calling a static method of, a JDK class means another one. */

@@ -25,6 +25,7 @@ import org.objectweb.asm.commons.Remapper;
  */
 final class JdkReplacements extends Remapper {
     private static final String TABLE = "jdk-replacements.txt";
+    private static final String OUR_REPLACEMENTS = "brickless/concurrent/";
     private static final JdkReplacements STANDARD = new JdkReplacements();
 
     private final List<String[]> lines = read();
@@ -37,6 +38,11 @@ final class JdkReplacements extends Remapper {
     /** The replacements for programs. */
     static JdkReplacements standard() {
         return STANDARD;
+    }
+
+    /** Whether a class is one of the replacements: where those name a JDK class they mean it. */
+    static boolean isReplacement(String internalName) {
+        return internalName.startsWith(OUR_REPLACEMENTS);
     }
 
     /** The name of the class that stands everywhere for a JDK class; the name itself if none does. */

@@ -47,7 +47,12 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
      * @throws IOException if one of them does not exist or is no readable jar; the message names it
      */
     public static RobotClassLoader ofPaths(List<Path> classPath) throws IOException {
-        return new RobotClassLoader(RobotClassLoader.class.getClassLoader(), new PathClassSource(classPath), LoadingRules.standard());
+        return ofPaths(classPath, LoadingRules.standard());
+    }
+
+    /** Like {@link #ofPaths(List)} with other rules. */
+    public static RobotClassLoader ofPaths(List<Path> classPath, LoadingRules rules) throws IOException {
+        return new RobotClassLoader(RobotClassLoader.class.getClassLoader(), new PathClassSource(classPath), rules);
     }
 
     /** A loader for a program on the application's own class path, as in JUnit tests; see {@link #ofApplication(ClassLoader, LoadingRules)}. */

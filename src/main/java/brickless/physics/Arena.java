@@ -28,6 +28,7 @@ public final class Arena {
     private final Contacts contacts;
     private final Rays rays;
     private final ZoneWatch zones;
+    private final SoundField sound = new SoundField();
     private final double stepSeconds;
     private final long stepNanos;
     private ArenaListener listener = ArenaListener.NONE;
@@ -76,6 +77,11 @@ public final class Arena {
     /** Obstacles in drawing order, removed ones included. */
     public List<ObstacleBody> obstacles() {
         return obstacles;
+    }
+
+    /** The sound in the arena. */
+    public SoundField sound() {
+        return sound;
     }
 
     /** Who is told about collisions, zones and falls; replaces the former one. */

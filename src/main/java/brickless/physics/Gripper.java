@@ -1,5 +1,6 @@
 package brickless.physics;
 
+import brickless.units.Angles;
 import brickless.world.RobotModel.Claw;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.joints.Joint;
@@ -29,8 +30,8 @@ final class Gripper {
         this.robot = robot;
         this.shaft = shaft;
         double sign = claw.inverted() ? -1 : 1;
-        this.open = StrictMath.toRadians(sign * claw.minDegrees());
-        double closed = StrictMath.toRadians(sign * claw.maxDegrees());
+        this.open = Angles.radiansFromDegrees(sign * claw.minDegrees());
+        double closed = Angles.radiansFromDegrees(sign * claw.maxDegrees());
         this.travel = closed - open;
         this.within = new ObstacleBody[obstacles];
         this.touches = new int[obstacles];

@@ -66,6 +66,16 @@ public final class ObstacleBody implements Solid {
         return description;
     }
 
+    /** Whether it can be pushed. */
+    public boolean movable() {
+        return description.movable();
+    }
+
+    /** Whether it is not exactly where it was drawn. */
+    public boolean displaced() {
+        return body.getAngle() != 0 || body.getPosition().x != Decimetres.of(centre.x()) || body.getPosition().y != Decimetres.of(centre.y());
+    }
+
     /** False once removed. */
     public boolean present() {
         return body.isActive();
@@ -87,6 +97,14 @@ public final class ObstacleBody implements Solid {
     /** Present place of the centroid. */
     public Point2 centre() {
         return new Point2(Decimetres.metres(body.getPosition().x), Decimetres.metres(body.getPosition().y));
+    }
+
+    /** Kinetic energy, joules. */
+    public double kineticEnergyJoules() {
+        double vx = Decimetres.metres(body.m_linearVelocity.x);
+        double vy = Decimetres.metres(body.m_linearVelocity.y);
+        double spin = body.m_angularVelocity;
+        return (body.m_mass * (vx * vx + vy * vy) + Decimetres.inertia(body.m_I) * spin * spin) / 2;
     }
 
     void place(Pose2 pose) {

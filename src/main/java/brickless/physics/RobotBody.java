@@ -135,8 +135,7 @@ public final class RobotBody implements Solid {
         double vx = Decimetres.metres(body.m_linearVelocity.x);
         double vy = Decimetres.metres(body.m_linearVelocity.y);
         double spin = body.m_angularVelocity;
-        double centreInertia = body.m_I - body.m_mass * Vec2.dot(body.getLocalCenter(), body.getLocalCenter());
-        return (body.m_mass * (vx * vx + vy * vy) + Decimetres.inertia((float) centreInertia) * spin * spin) / 2;
+        return (body.m_mass * (vx * vx + vy * vy) + Decimetres.inertia(body.m_I) * spin * spin) / 2;
     }
 
     void prepare(double dt) {

@@ -39,6 +39,11 @@ public final class Shaft {
         return speed;
     }
 
+    /** Inertia that turns with the shaft, kg·m², without what its tyres or turrets couple to it. */
+    public double inertia() {
+        return inertia;
+    }
+
     /** Plugs a motor in: its inertia at the output shaft, kg·m². */
     public void setInertia(double kilogramSquareMetres) {
         inertia = kilogramSquareMetres + BARE_INERTIA;

@@ -10,7 +10,6 @@ import brickless.world.Placement;
 import brickless.world.Pose2;
 import brickless.world.RobotModel;
 import brickless.world.World;
-import brickless.world.svg.WorldCheck;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,7 +55,6 @@ final class Crew {
             Program own = placement.program().isPresent() ? find(placement.program().get()) : program;
             boolean fitted = settings.robot().isEmpty() && placement.model().isEmpty();
             RobotModel model = fitted ? RobotFitter.fit(hints(own)) : drawn(placement);
-            WorldCheck.placement(settings.world(), model, placement);
             return new Member(placement.name(), model, placement.start(), own, fitted);
         } catch (DescriptionException | ProgramException e) {
             throw new SetupException(e.getMessage());

@@ -39,7 +39,7 @@ public final class Library {
         if (WORLDS.contains(name)) {
             return SvgWorldReader.readText(name + ".svg", bundled("worlds", name));
         }
-        throw new DescriptionException(name, 0, "", "no such world: neither a file in " + directory + " nor one of " + String.join(", ", WORLDS));
+        throw new DescriptionException(name, 0, "", "no such world: neither a file nor one of " + String.join(", ", WORLDS));
     }
 
     /** Reads a robot from a file, or the bundled one of that name. */
@@ -51,7 +51,7 @@ public final class Library {
         if (ROBOTS.contains(name)) {
             return SvgRobotReader.readText(name + ".svg", bundled("robots", name));
         }
-        throw new DescriptionException(name, 0, "", "no such robot: neither a file in " + directory + " nor one of " + String.join(", ", ROBOTS));
+        throw new DescriptionException(name, 0, "", "no such robot: neither a file nor one of " + String.join(", ", ROBOTS));
     }
 
     /**

@@ -13,20 +13,31 @@ final class OutcomeOf {
 
     private OutcomeOf() {}
 
-    static Outcome programs(List<RobotSession> sessions, List<ProgramEnd> ends, Journey journey) {
+    static Outcome programs(List<RobotSession> sessions, List<ProgramEnd> ends) {
         int decisive = 0;
         for (int i = 1; i < ends.size(); i++) {
-            if (SEVERITY.indexOf(ends.get(i).kind()) < SEVERITY.indexOf(ends.get(decisive).kind())) {
+            if (severity(sessions.get(i), ends.get(i)) < severity(sessions.get(decisive), ends.get(decisive))) {
                 decisive = i;
             }
         }
         ProgramEnd end = ends.get(decisive);
-        Optional<Integer> status = end.kind() == ProgramEnd.Kind.EXITED ? Optional.of(end.status()) : Optional.empty();
-        return new Outcome(end.kind().text(), status, end.timeNanos(), error(sessions.get(decisive), end));
+        ProgramEnd.Kind kind = kind(sessions.get(decisive), end);
+        Optional<Integer> status = kind == ProgramEnd.Kind.EXITED ? Optional.of(end.status()) : Optional.empty();
+        return new Outcome(kind.text(), status, end.timeNanos(), error(sessions.get(decisive), end));
+    }
+
+    private static int severity(RobotSession session, ProgramEnd end) {
+        return SEVERITY.indexOf(kind(session, end));
+    }
+
+    /** A program that ended or timed out after an exception nobody handled has failed, though the brick let its other threads go on. */
+    private static ProgramEnd.Kind kind(RobotSession session, ProgramEnd end) {
+        boolean quiet = end.kind() == ProgramEnd.Kind.EXITED || end.kind() == ProgramEnd.Kind.TIME_LIMIT;
+        return quiet && session.console().failure().isPresent() ? ProgramEnd.Kind.FAILED : end.kind();
     }
 
     private static Optional<String> error(RobotSession session, ProgramEnd end) {
-        return switch (end.kind()) {
+        return switch (kind(session, end)) {
             case DEADLOCK, RUNAWAY -> Optional.of(end.dump().strip());
             case FAILED -> Optional.of(session.console().failure().orElseGet(() -> described(end)));
             default -> Optional.empty();

@@ -93,10 +93,10 @@ final class RobotSession {
         for (int port = 0; port < 4; port++) {
             if (devices.motor(port).type() != null) {
                 motors.add(new RobotSample.MotorSample((char) ('A' + port), devices.motor(port).encoder(),
-                        devices.motor(port).degreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
+                        devices.motor(port).shaftDegreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
             }
             if (devices.sensor(port).mount() != null) {
-                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).observe(nowNanos)));
+                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).reading(nowNanos)));
             }
         }
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());

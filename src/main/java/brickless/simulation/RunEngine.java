@@ -1,6 +1,6 @@
 package brickless.simulation;
 
-import brickless.device.sensor.PaintedFloor;
+import brickless.device.sensor.FloorColour;
 import brickless.device.sensor.Surroundings;
 import brickless.kernel.Ensemble;
 import brickless.kernel.ProgramEnd;
@@ -58,8 +58,8 @@ final class RunEngine {
                 settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
-        Surroundings surroundings = new Surroundings(arena, new PaintedFloor(world), settings.seed(), settings.ideal());
-        stimulator = new Stimulator(settings.stimuli(), surroundings, recorder);
+        Surroundings surroundings = new Surroundings(arena, FloorColour.of(world), settings.seed(), settings.ideal());
+        stimulator = new Stimulator(settings.stimuli(), arena, recorder);
         sessions = crew.stream().map(member -> new RobotSession(settings, member, arena, surroundings, recorder, stimulator)).toList();
         stimulator.drive(sessions);
         sample();
@@ -160,7 +160,7 @@ final class RunEngine {
         if (now % SAMPLE_NANOS != 0) {
             sample();
         }
-        Outcome outcome = OutcomeOf.programs(sessions, ends, journey);
+        Outcome outcome = OutcomeOf.programs(sessions, ends);
         recorder.event(outcome.timeNanos(), sessions.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         report = report(outcome, wallSeconds, recorder.finish());
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, sessions).write(report));

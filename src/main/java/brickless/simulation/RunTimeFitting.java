@@ -10,10 +10,13 @@ import java.util.List;
 
 /** Plugs in, on a robot fitted to its program, what the program opens at run time and was not foreseen. */
 final class RunTimeFitting implements MotorFitting, SensorFitting {
+    /** The class of {@code Motor.A} to {@code Motor.D}: using one of them opens all four ports, so opening tells nothing about the others. */
+    private static final String READY_MADE = "NXTRegulatedMotor";
+
     private final List<String> plugged = new ArrayList<>();
 
     @Override public void expected(MotorDevice device, String lejosClass) {
-        if (device.type() == null) {
+        if (device.type() == null && !lejosClass.equals(READY_MADE)) {
             device.plug(lejosClass.contains("Medium") ? MotorType.MEDIUM : MotorType.LARGE);
             plugged.add(device.connected() + " on " + (char) ('A' + device.port()));
         }

@@ -1,6 +1,5 @@
 package brickless.simulation;
 
-import brickless.device.sensor.Surroundings;
 import brickless.physics.Arena;
 import brickless.physics.ObstacleBody;
 import brickless.physics.RobotBody;
@@ -19,17 +18,15 @@ final class Stimulator {
 
     private final PriorityQueue<Due> due = new PriorityQueue<>(Comparator.comparingLong(Due::atNanos).thenComparingLong(Due::order));
     private final Arena arena;
-    private final Surroundings surroundings;
     private final Recorder recorder;
     private final List<Stimulus> initial;
     private List<RobotSession> sessions = List.of();
     private long order;
     private int pressesToCome;
 
-    Stimulator(List<Stimulus> stimuli, Surroundings surroundings, Recorder recorder) {
+    Stimulator(List<Stimulus> stimuli, Arena arena, Recorder recorder) {
         this.initial = stimuli;
-        this.surroundings = surroundings;
-        this.arena = surroundings.arena();
+        this.arena = arena;
         this.recorder = recorder;
     }
 
@@ -77,14 +74,14 @@ final class Stimulator {
             first.panel().keys().press(press.keyMask());
             later(press.atNanos() + press.forNanos(), () -> first.panel().keys().release(press.keyMask()));
         } else if (stimulus instanceof Stimulus.Push push) {
-            first.devices().sensor(push.port()).setPushed(true);
-            later(push.atNanos() + push.forNanos(), () -> first.devices().sensor(push.port()).setPushed(false));
+            first.devices().sensor(push.port()).push(true);
+            later(push.atNanos() + push.forNanos(), () -> first.devices().sensor(push.port()).push(false));
         } else if (stimulus instanceof Stimulus.Remote remote) {
-            sessions.forEach(session -> session.devices().remote().press(remote.channel(), remote.code()));
-            later(remote.atNanos() + remote.forNanos(), () -> sessions.forEach(session -> session.devices().remote().press(remote.channel(), 0)));
+            sessions.forEach(session -> session.devices().remote(remote.channel(), remote.code()));
+            later(remote.atNanos() + remote.forNanos(), () -> sessions.forEach(session -> session.devices().remote(remote.channel(), 0)));
         } else if (stimulus instanceof Stimulus.Clap clap) {
-            surroundings.setSoundDecibels(clap.decibels());
-            later(clap.atNanos() + CLAP_NANOS, () -> surroundings.setSoundDecibels(Surroundings.QUIET_DECIBELS));
+            arena.sound().setDecibels(clap.decibels());
+            later(clap.atNanos() + CLAP_NANOS, () -> arena.sound().setDecibels(0));
         } else if (stimulus instanceof Stimulus.Battery battery) {
             first.devices().battery().setOpenVolts(battery.volts());
         } else if (stimulus instanceof Stimulus.Move move) {

@@ -34,7 +34,7 @@ public record RobotSample(String name, Pose2 pose, List<MotorSample> motors, Lis
      *
      * @param port number 1 to 4
      * @param kind name in the vocabulary of robot files
-     * @param value what it measures now in its present mode, in the device's own unit; not a number while it sends nothing
+     * @param values what it measures now in its present mode, in the device's own units; empty while it sends nothing
      */
-    public record SensorSample(int port, String kind, double value) {}
+    public record SensorSample(int port, String kind, double[] values) {}
 }

@@ -28,7 +28,9 @@ final class SignalRow {
             put(prefix + motor.port() + "_current_a", motor.amperes(), 3);
         }
         for (RobotSample.SensorSample sensor : robot.sensors()) {
-            put(prefix + "S" + sensor.port() + "_" + sensor.kind(), sensor.value(), 4);
+            for (int i = 0; i < sensor.values().length; i++) {
+                put(prefix + "S" + sensor.port() + "_" + sensor.kind() + (i > 0 ? "_" + i : ""), sensor.values()[i], 4);
+            }
         }
         put(prefix + "battery_v", robot.batteryVolts(), 3);
     }

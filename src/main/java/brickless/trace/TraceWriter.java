@@ -58,7 +58,7 @@ public final class TraceWriter implements AutoCloseable {
                 .number("tacho", motor.tachoDegrees(), 2).number("speed", motor.degreesPerSecond(), 1)
                 .number("duty", motor.dutyPercent(), 1).number("amperes", motor.amperes(), 3));
         line.objects("sensors", robot.sensors(), (sensor, fields) -> fields.integer("port", sensor.port()).text("kind", sensor.kind())
-                .number("value", sensor.value(), 4));
+                .numbers("values", sensor.values(), 4));
         line.number("volts", robot.batteryVolts(), 3);
     }
 

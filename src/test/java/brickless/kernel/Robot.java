@@ -3,7 +3,10 @@ package brickless.kernel;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A kernel with a program written against it by hand, as rewriting would have produced it, and a log with virtual times. */
+/**
+ * A kernel with a program written against it by hand, as rewriting would have produced it, and a log with virtual
+ * times.
+ */
 final class Robot {
     static final long MILLI = 1_000_000L;
 

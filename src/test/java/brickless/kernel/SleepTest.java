@@ -66,7 +66,8 @@ class SleepTest {
             robot.sleepMillis(0);
             robot.work(50 * Robot.MILLI);
         });
-        // Main gives the sleeper a turn by sleep(0), 0.1 ms after 0.5 ms for the start, and then has a slice of 10 ms.
+        // Main gives the sleeper a turn by sleep(0), 0.1 ms after 0.5 ms for the start, and then has a slice of 10
+        // ms.
         assertThat(robot.log).containsExactly("10 awake");
     }
 

@@ -96,7 +96,8 @@ class ThreadLifeTest {
             robot.sleepMillis(5);
         });
         assertThat(end.kind()).isEqualTo(ProgramEnd.Kind.EXITED);
-        // The worker sleeps from 11 ms, after the daemon's first slice, to 31 ms; each switch waits for the end of a loop turn.
+        // The worker sleeps from 11 ms, after the daemon's first slice, to 31 ms; each switch waits for the end of a
+        // loop turn.
         assertThat(end.timeNanos()).isBetween(31 * Robot.MILLI, 31 * Robot.MILLI + 2 * Costs.BACK_EDGE_NANOS);
     }
 

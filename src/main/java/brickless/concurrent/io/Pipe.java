@@ -63,7 +63,10 @@ final class Pipe {
         notifyAll();
     }
 
-    /** Waits for a filled place and returns its index, or -1 at the end; {@link #read} must follow, in the same synchronized block. */
+    /**
+     * Waits for a filled place and returns its index, or -1 at the end; {@link #read} must follow, in the same
+     * synchronized block.
+     */
     synchronized int awaitContent() throws IOException {
         reader = Thread.currentThread();
         requireReadable();

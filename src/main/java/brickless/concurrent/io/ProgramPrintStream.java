@@ -16,10 +16,11 @@ import java.util.Formatter;
 import java.util.Locale;
 
 /**
- * A {@code java.io.PrintStream} that never holds a lock of the JDK while it calls the target stream; only its own monitor.
+ * A {@code java.io.PrintStream} that never holds a lock of the JDK while it calls the target stream; only its own
+ * monitor.
  *
- * <p>Nothing of the host shows: the encoding is UTF-8 unless a constructor says otherwise, lines end in {@code \n}, numbers are formatted
- * for {@code Locale.US}. A pair of surrogates has to be printed by one call.
+ * <p>Nothing of the host shows: the encoding is UTF-8 unless a constructor says otherwise, lines end in {@code \n},
+ * numbers are formatted for {@code Locale.US}. A pair of surrogates has to be printed by one call.
  */
 public class ProgramPrintStream extends PrintStream {
     private final boolean autoFlush;
@@ -39,7 +40,8 @@ public class ProgramPrintStream extends PrintStream {
     }
 
     /** Prints to {@code out} in that encoding. */
-    public ProgramPrintStream(OutputStream out, boolean autoFlush, String encoding) throws UnsupportedEncodingException {
+    public ProgramPrintStream(OutputStream out, boolean autoFlush, String encoding)
+            throws UnsupportedEncodingException {
         this(out, autoFlush, charset(encoding));
     }
 

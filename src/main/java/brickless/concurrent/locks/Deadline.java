@@ -17,7 +17,10 @@ public final class Deadline {
         this.atNanos = atNanos;
     }
 
-    /** A deadline {@code nanos} from now; one that is not positive has passed already, one beyond 146 years never passes. */
+    /**
+     * A deadline {@code nanos} from now; one that is not positive has passed already, one beyond 146 years never
+     * passes.
+     */
     public static Deadline after(long nanos) {
         return nanos > Long.MAX_VALUE / 2 ? NEVER : new Deadline(false, System.nanoTime() + Math.max(nanos, 0));
     }
@@ -27,7 +30,9 @@ public final class Deadline {
         return after(unit.toNanos(time));
     }
 
-    /** Nanoseconds that are left; zero or less when the deadline has passed, {@code Long.MAX_VALUE} when it never does. */
+    /**
+     * Nanoseconds that are left; zero or less when the deadline has passed, {@code Long.MAX_VALUE} when it never does.
+     */
     public long nanosLeft() {
         return never ? Long.MAX_VALUE : atNanos - System.nanoTime();
     }

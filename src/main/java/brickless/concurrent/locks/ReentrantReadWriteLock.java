@@ -142,7 +142,8 @@ public class ReentrantReadWriteLock implements ReadWriteLock {
 
     @Override
     public String toString() {
-        return super.toString() + "[Write locks = " + (isWriteLocked() ? 1 : 0) + ", Read locks = " + getReadLockCount() + "]";
+        return super.toString() + "[Write locks = " + (isWriteLocked() ? 1 : 0) + ", Read locks = "
+                + getReadLockCount() + "]";
     }
 
     private boolean takeRead() {
@@ -155,7 +156,10 @@ public class ReentrantReadWriteLock implements ReadWriteLock {
         }
     }
 
-    /** A thread that reads or writes already may read (again) past everybody who waits: it would wait for itself otherwise. */
+    /**
+     * A thread that reads or writes already may read (again) past everybody who waits: it would wait for itself
+     * otherwise.
+     */
     private boolean takeReadAgain() {
         synchronized (line) {
             return (getReadHoldCount() > 0 || writing.mine()) && takeRead();

@@ -7,8 +7,8 @@ import java.util.concurrent.locks.ReadWriteLock;
 import java.util.function.BooleanSupplier;
 
 /**
- * {@code java.util.concurrent.locks.StampedLock} on virtual monitors. A stamp is the number of times that the lock was taken for writing,
- * and in its two lowest bits the mode.
+ * {@code java.util.concurrent.locks.StampedLock} on virtual monitors. A stamp is the number of times that the lock was
+ * taken for writing, and in its two lowest bits the mode.
  */
 public class StampedLock {
     private static final int MODE_BITS = 2;

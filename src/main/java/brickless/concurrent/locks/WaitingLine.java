@@ -9,10 +9,12 @@ import java.util.function.BooleanSupplier;
 /**
  * Threads that wait for a resource, longest waiting first; the monitor of the line guards the resource too.
  *
- * <p>A fair line is strictly first come, first served. In one that is not, a newcomer may overtake, but only until the first in line has
- * been woken once in vain: so a loop that releases and takes again at once cannot starve the others, however regular the schedule is.
+ * <p>A fair line is strictly first come, first served. In one that is not, a newcomer may overtake, but only until the
+ * first in line has been woken once in vain: so a loop that releases and takes again at once cannot starve the others,
+ * however regular the schedule is.
  *
- * <p>Whoever makes the resource available calls {@link #changed()}. All methods may be called with or without the monitor held.
+ * <p>Whoever makes the resource available calls {@link #changed()}. All methods may be called with or without the
+ * monitor held.
  */
 public final class WaitingLine {
     private final boolean fair;
@@ -128,7 +130,9 @@ public final class WaitingLine {
         return false;
     }
 
-    /** The next in line may find enough left for itself, or may have been waiting only for this place to become free. */
+    /**
+     * The next in line may find enough left for itself, or may have been waiting only for this place to become free.
+     */
     private void leave(Place place) {
         places.remove(place);
         if (!places.isEmpty()) {

@@ -14,8 +14,8 @@ import java.util.Set;
 import java.util.function.Function;
 
 /**
- * The unsynchronized table behind {@link Hashtable}. Neither keys nor values may be null. Walks go from the last chain to the first and,
- * within a chain, from the newest entry to the oldest, as programs observe it in the JDK.
+ * The unsynchronized table behind {@link Hashtable}. Neither keys nor values may be null. Walks go from the last chain
+ * to the first and, within a chain, from the newest entry to the oldest, as programs observe it in the JDK.
  */
 final class ChainedTable<K, V> extends AbstractMap<K, V> {
     static final int CAPACITY = 11;

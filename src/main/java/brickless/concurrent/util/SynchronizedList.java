@@ -25,7 +25,8 @@ class SynchronizedList<E> extends SynchronizedCollection<E> implements List<E> {
     }
 
     static <T> SynchronizedList<T> of(List<T> target, Object mutex) {
-        return target instanceof RandomAccess ? new OfRandomAccess<>(target, mutex) : new SynchronizedList<>(target, mutex);
+        return target instanceof RandomAccess ? new OfRandomAccess<>(target, mutex)
+                : new SynchronizedList<>(target, mutex);
     }
 
     @Override

@@ -9,8 +9,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * {@code java.util.Timer} on a virtual thread; timers are numbered per robot. Unlike the original, whose thread may end when the garbage
- * collector finds the timer unused, this one runs until it is cancelled (or, as a daemon, until the program ends).
+ * {@code java.util.Timer} on a virtual thread; timers are numbered per robot. Unlike the original, whose thread may end
+ * when the garbage collector finds the timer unused, this one runs until it is cancelled (or, as a daemon, until the
+ * program ends).
  */
 public class Timer {
     private static final AtomicInteger TIMERS = new AtomicInteger();
@@ -52,7 +53,10 @@ public class Timer {
         add(task, time.getTime(), 0);
     }
 
-    /** Runs the task {@code delay} milliseconds from now, then each time {@code period} milliseconds after the start of the last run. */
+    /**
+     * Runs the task {@code delay} milliseconds from now, then each time {@code period} milliseconds after the start of
+     * the last run.
+     */
     public void schedule(TimerTask task, long delay, long period) {
         add(task, afterDelay(delay), -requirePositive(period));
     }
@@ -62,7 +66,9 @@ public class Timer {
         add(task, firstTime.getTime(), -requirePositive(period));
     }
 
-    /** Runs the task {@code delay} milliseconds from now, then every {@code period} milliseconds; catches up when late. */
+    /**
+     * Runs the task {@code delay} milliseconds from now, then every {@code period} milliseconds; catches up when late.
+     */
     public void scheduleAtFixedRate(TimerTask task, long delay, long period) {
         add(task, afterDelay(delay), requirePositive(period));
     }

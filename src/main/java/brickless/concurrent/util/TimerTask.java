@@ -61,7 +61,9 @@ public abstract class TimerTask implements Runnable {
         }
     }
 
-    /** Called by the timer before a run; plans the next one. False if there is none to plan or the task was cancelled. */
+    /**
+     * Called by the timer before a run; plans the next one. False if there is none to plan or the task was cancelled.
+     */
     final boolean advance(long nowMillis) {
         synchronized (this) {
             lastDue = due;

@@ -5,6 +5,9 @@ import brickless.world.MotorType;
 
 /** A motor on a shaft, driven by a bridge: pulse width from −100 to 100 % with the pauses short-circuited, or open terminals. */
 final class DcMotor {
+    /** Slower than this counts as standing still, radians per second. */
+    private static final double STANDING = 1e-6;
+
     private final MotorConstants constants;
     private final Shaft shaft;
     private double duty;
@@ -32,7 +35,7 @@ final class DcMotor {
     /** Puts the torque for the coming step on the shaft. */
     void beforeStep(double volts) {
         double speed = shaft.speedRadiansPerSecond();
-        double friction = constants.frictionNewtonMetres() * (speed == 0 ? MotorConstants.STICTION : 1);
+        double friction = constants.frictionNewtonMetres() * (Math.abs(speed) < STANDING ? MotorConstants.STICTION : 1);
         if (open) {
             amperes = 0;
             shaft.drive(0, 0, friction);

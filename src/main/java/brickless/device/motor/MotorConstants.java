@@ -1,5 +1,6 @@
 package brickless.device.motor;
 
+import brickless.units.AngularSpeeds;
 import brickless.world.MotorType;
 
 /**
@@ -30,17 +31,13 @@ record MotorConstants(double torqueConstant, double backEmfConstant, double resi
     /** Constants of a motor type. */
     static MotorConstants of(MotorType type) {
         MeasuredMotor measured = MeasuredMotor.of(type);
-        double free = radiansPerSecond(measured.freeRpm());
-        double drop = free - radiansPerSecond(measured.loadedRpm());
+        double free = AngularSpeeds.radiansPerSecondFromRpm(measured.freeRpm());
+        double drop = free - AngularSpeeds.radiansPerSecondFromRpm(measured.loadedRpm());
         double rise = measured.loadedAmperes() - measured.freeAmperes();
         double kt = measured.loadedNewtonMetres() / rise;
         double ke = MeasuredMotor.VOLTS / (free + measured.freeAmperes() * drop / rise);
         double resistance = ke * drop / rise;
         return new MotorConstants(kt, ke, resistance, kt * measured.freeAmperes(), measured.timeConstantSeconds() * kt * ke / resistance);
-    }
-
-    private static double radiansPerSecond(double rpm) {
-        return rpm * 2 * Math.PI / 60;
     }
 
     /** Current at a terminal voltage and a speed, amperes. */

@@ -6,8 +6,10 @@ import brickless.hardware.MotorSocket;
 import brickless.hardware.MoveRequest;
 import brickless.hardware.RegulationState;
 import brickless.hardware.RegulationTuning;
+import brickless.kernel.Costs;
 import brickless.kernel.Processor;
 import brickless.physics.Shaft;
+import brickless.units.Angles;
 import brickless.world.MotorType;
 
 /**
@@ -33,7 +35,7 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     private MotorType type;
     private DcMotor motor;
     private int zero;
-    private long lastTickNanos = -CONTROL_NANOS;
+    private long lastTickNanos;
 
     /**
      * An empty port.
@@ -91,7 +93,7 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     private void command(int dutyPercent, boolean open) {
-        processor.charge(Charges.MOTOR_COMMAND);
+        processor.charge(Costs.MOTOR_COMMAND_NANOS);
         applyDirectly(dutyPercent, open);
     }
 
@@ -115,14 +117,14 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     @Override public int tachoDegrees() {
-        processor.charge(Charges.MOTOR_QUERY);
+        processor.charge(Costs.MOTOR_READ_NANOS);
         synchronized (lock) {
             return encoder();
         }
     }
 
     @Override public void resetTacho() {
-        processor.charge(Charges.MOTOR_QUERY);
+        processor.charge(Costs.MOTOR_READ_NANOS);
         synchronized (lock) {
             int shift = encoder();
             zero += shift;
@@ -150,14 +152,14 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     @Override public void configure(RegulationTuning tuning) {
-        processor.charge(Charges.MOTOR_COMMAND);
+        processor.charge(Costs.MOTOR_COMMAND_NANOS);
         synchronized (lock) {
             regulator.configure(tuning);
         }
     }
 
     @Override public void move(MoveRequest request) {
-        processor.charge(Charges.MOTOR_COMMAND);
+        processor.charge(Costs.MOTOR_COMMAND_NANOS);
         start(request);
     }
 
@@ -177,7 +179,7 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     @Override public void adjustSpeed(float degreesPerSecond) {
-        processor.charge(Charges.MOTOR_COMMAND);
+        processor.charge(Costs.MOTOR_COMMAND_NANOS);
         synchronized (lock) {
             if (regulator.request() != null) {
                 regulator.adjust(degreesPerSecond, regulator.request().accelerationDegreesPerSecondSquared(),
@@ -187,7 +189,7 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     @Override public void adjustAcceleration(int degreesPerSecondSquared) {
-        processor.charge(Charges.MOTOR_COMMAND);
+        processor.charge(Costs.MOTOR_COMMAND_NANOS);
         synchronized (lock) {
             if (regulator.request() != null) {
                 regulator.adjust(regulator.request().speedDegreesPerSecond(), degreesPerSecondSquared, sinceTickMillis());
@@ -202,12 +204,12 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     }
 
     @Override public MotorSnapshot snapshot() {
-        processor.charge(Charges.MOTOR_QUERY);
+        processor.charge(Costs.MOTOR_READ_NANOS);
         return observe();
     }
 
     @Override public void awaitStandstill() {
-        processor.charge(Charges.MOTOR_QUERY);
+        processor.charge(Costs.MOTOR_READ_NANOS);
         while (moving()) {
             standstill.await(LOOK_AGAIN_NANOS);
         }
@@ -236,7 +238,7 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     /** Encoder in whole degrees, rounded the same way for both directions; charges nothing. */
     public int encoder() {
-        return motor == null ? -zero : (int) Math.floor(Math.toDegrees(shaft.angleRadians()) + 0.5) - zero;
+        return motor == null ? -zero : (int) Math.floor(Angles.degreesFromRadians(shaft.angleRadians()) + 0.5) - zero;
     }
 
     /** Phase of the controller; charges nothing. */
@@ -244,12 +246,12 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         return regulator.state();
     }
 
-    /** Speed of the motor's shaft, degrees per second; charges nothing. */
-    public double degreesPerSecond() {
-        return Math.toDegrees(shaft.speedRadiansPerSecond());
+    /** Speed of the motor's shaft at the end of the last step, degrees per second. */
+    public double shaftDegreesPerSecond() {
+        return Angles.degreesFromRadians(shaft.speedRadiansPerSecond());
     }
 
-    /** Duty applied by the bridge, −100 to 100; 0 when braking or coasting. */
+    /** Duty of the bridge, −100 to 100; 0 when braking, coasting or empty. */
     public double dutyPercent() {
         return motor == null ? 0 : motor.duty() * FULL_DUTY;
     }

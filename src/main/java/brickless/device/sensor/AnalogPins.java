@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.hardware.AnalogChannel;
+import brickless.kernel.Costs;
 
 /** The analogue side of a port. */
 final class AnalogPins implements AnalogChannel {
@@ -17,14 +18,14 @@ final class AnalogPins implements AnalogChannel {
     }
 
     @Override public double pin1Volts() {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
             return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin1Volts(port.nowNanos()) : REFERENCE_VOLTS);
         }
     }
 
     @Override public double pin6Volts() {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
             return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin6Volts(port.nowNanos()) : 0);
         }
@@ -35,7 +36,7 @@ final class AnalogPins implements AnalogChannel {
     }
 
     @Override public boolean setType(int type) {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         if (type < 0 || type == 12 || type > 17) {
             return false;
         }
@@ -49,7 +50,7 @@ final class AnalogPins implements AnalogChannel {
     }
 
     @Override public float[] colourVolts() {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
             return port.sensor() instanceof AnalogSensor sensor ? sensor.colourVolts(port.nowNanos()) : AnalogSensor.NO_COLOURS;
         }

@@ -30,8 +30,8 @@ final class ColourSensor extends UartSensor {
     private final ColourEye eye;
 
     ColourSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.quick("COL-REFLECT", 1), UartMode.quick("COL-AMBIENT", 1), UartMode.quick("COL-COLOR", 1),
-                UartMode.quick("REF-RAW", 4), UartMode.quick("RGB-RAW", 6), UartMode.quick("COL-CAL", 8));
+        super(site, DEVICE, UartMode.quick("COL-REFLECT", 1, 1), UartMode.quick("COL-AMBIENT", 1, 1), UartMode.quick("COL-COLOR", 1, 1),
+                UartMode.quick("REF-RAW", 2, 2), UartMode.quick("RGB-RAW", 3, 2), UartMode.quick("COL-CAL", 4, 2));
         eye = new ColourEye(site);
     }
 
@@ -80,15 +80,5 @@ final class ColourSensor extends UartSensor {
 
     private static int clamp(double value, int most) {
         return (int) Math.max(0, Math.min(most, Math.round(value)));
-    }
-
-    @Override double observe(long nowNanos) {
-        eye.look();
-        return switch (mode()) {
-            case DARK -> Double.NaN;
-            case AMBIENT -> ambientPercent(nowNanos / PERIOD_NANOS);
-            case COLOUR -> colourId();
-            default -> reflectPercent(nowNanos / PERIOD_NANOS);
-        };
     }
 }

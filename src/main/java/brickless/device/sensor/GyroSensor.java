@@ -1,5 +1,7 @@
 package brickless.device.sensor;
 
+import brickless.units.Angles;
+
 /** EV3 gyro, label up: clockwise positive, as the device sends it. Any change of mode starts the angle at 0 and calibrates the rate. */
 final class GyroSensor extends UartSensor {
     private static final int DEVICE = 32;
@@ -25,11 +27,10 @@ final class GyroSensor extends UartSensor {
     private double rate;
     private double bias;
     private double lastHeading;
-    private long lastNanos;
 
     GyroSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.quick("GYRO-ANG", 2), UartMode.quick("GYRO-RATE", 2), UartMode.quick("GYRO-FAS", 2),
-                UartMode.quick("GYRO-G&A", 4), UartMode.quick("GYRO-CAL", 8));
+        super(site, DEVICE, UartMode.quick("GYRO-ANG", 1, 2), UartMode.quick("GYRO-RATE", 1, 2), UartMode.quick("GYRO-FAS", 1, 2),
+                UartMode.quick("GYRO-G&A", 2, 2), UartMode.quick("GYRO-CAL", 4, 2));
         scale = 1 + SCALE_ERROR * site.noise().even(0, 7);
         lastHeading = aim().headingRadians;
     }
@@ -42,12 +43,11 @@ final class GyroSensor extends UartSensor {
 
     @Override void afterStep(long nowNanos) {
         double heading = aim().headingRadians;
-        double seconds = (nowNanos - lastNanos) / NANOS_PER_SECOND;
-        double turned = brickless.units.Angles.degreesFromRadians(heading - lastHeading);
+        double seconds = site().surroundings().arena().stepNanos() / NANOS_PER_SECOND;
+        double turned = Angles.degreesFromRadians(heading - lastHeading);
         rate = Math.max(-FASTEST, Math.min(FASTEST, turned / seconds));
         angle += (rate * scale - bias) * seconds;
         lastHeading = heading;
-        lastNanos = nowNanos;
     }
 
     private int angleDegrees() {
@@ -73,9 +73,5 @@ final class GyroSensor extends UartSensor {
             }
             default -> putShort(out, 0, angleDegrees());
         }
-    }
-
-    @Override double observe(long nowNanos) {
-        return mode() == DARK ? Double.NaN : mode() == RATE || mode() == FAST ? rateDegreesPerSecond(nowNanos) : angleDegrees();
     }
 }

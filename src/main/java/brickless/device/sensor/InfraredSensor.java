@@ -3,6 +3,7 @@ package brickless.device.sensor;
 import brickless.physics.Aim;
 import brickless.physics.ObstacleBody;
 import brickless.physics.RayHit;
+import brickless.units.Angles;
 import brickless.world.Beacon;
 import brickless.world.Rgb;
 
@@ -20,13 +21,13 @@ final class InfraredSensor extends UartSensor {
     /** Seek distance 100, metres. */
     private static final double SEEK_REACH = 2.0;
     /** Half the opening angle of the proximity beam, radians: assumption. */
-    private static final double BEAM = StrictMath.toRadians(10);
+    private static final double BEAM = Angles.radiansFromDegrees(10);
     private static final int RAYS = 5;
     /** Black things seem this much further away than white ones: assumption. */
     private static final double BLACK_FACTOR = 1.25;
     /** Bearing that reads 25, and the largest at which beacons are seen, radians: assumption. */
-    private static final double FULL_BEARING = StrictMath.toRadians(60);
-    private static final double WIDEST_BEARING = StrictMath.toRadians(100);
+    private static final double FULL_BEARING = Angles.radiansFromDegrees(60);
+    private static final double WIDEST_BEARING = Angles.radiansFromDegrees(100);
     private static final int LARGEST_HEADING = 25;
     private static final byte NO_BEACON = (byte) 128;
     private static final double NOISE = 0.5;
@@ -37,8 +38,8 @@ final class InfraredSensor extends UartSensor {
     private long lastUpdate = Long.MIN_VALUE;
 
     InfraredSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.slow("IR-PROX", 1), UartMode.slow("IR-SEEK", 8), UartMode.slow("IR-REMOTE", 4),
-                UartMode.slow("IR-REM-A", 2), UartMode.slow("IR-S-ALT", 4), UartMode.slow("IR-CAL", 4));
+        super(site, DEVICE, UartMode.slow("IR-PROX", 1, 1), UartMode.slow("IR-SEEK", 8, 1), UartMode.slow("IR-REMOTE", 4, 1),
+                UartMode.slow("IR-REM-A", 1, 2), UartMode.slow("IR-S-ALT", 4, 1), UartMode.slow("IR-CAL", 2, 2));
     }
 
     @Override void selected(long nowNanos) {
@@ -129,14 +130,5 @@ final class InfraredSensor extends UartSensor {
             }
             default -> java.util.Arrays.fill(out, 0, mode(mode()).bytes(), (byte) 0);
         }
-    }
-
-    @Override double observe(long nowNanos) {
-        return switch (mode()) {
-            case DARK -> Double.NaN;
-            case SEEK -> seek[0];
-            case REMOTE -> site().remote().code(0);
-            default -> proximity;
-        };
     }
 }

@@ -64,8 +64,8 @@ final class NxtColourSensor extends AnalogSensor {
         return id == ColourClassifier.BROWN ? ColourClassifier.RED : id;
     }
 
-    @Override double observe(long nowNanos) {
+    @Override double[] reading(long nowNanos) {
         eye.look();
-        return colourId();
+        return new double[] {colourId()};
     }
 }

@@ -34,15 +34,19 @@ final class NxtLightSensor extends AnalogSensor {
     }
 
     @Override double pin1Volts(long nowNanos) {
-        return PULL_UP_VOLTS * (1 - observe(nowNanos));
+        return PULL_UP_VOLTS * (1 - level(nowNanos));
     }
 
     /** Part of full scale, 0 to 1. */
-    @Override double observe(long nowNanos) {
+    private double level(long nowNanos) {
         eye.look();
         double lux = eye.ambientLux();
         double clean = lamp ? BLACK + (WHITE - BLACK) * (0.7 * eye.red() + 0.2 * eye.green() + 0.1 * eye.blue())
                 : NIGHT + (1 - NIGHT) * lux / (lux + HALF_SCALE_LUX);
         return Math.max(0, Math.min(1, clean + NOISE * site().noise().bell(nowNanos / SAMPLE_NANOS, 0)));
+    }
+
+    @Override double[] reading(long nowNanos) {
+        return new double[] {level(nowNanos)};
     }
 }

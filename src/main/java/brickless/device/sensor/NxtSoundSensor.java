@@ -26,12 +26,16 @@ final class NxtSoundSensor extends AnalogSensor {
     }
 
     @Override double pin1Volts(long nowNanos) {
-        return PULL_UP_VOLTS * (1 - observe(nowNanos));
+        return PULL_UP_VOLTS * (1 - level(nowNanos));
     }
 
     /** Part of full scale, 0 to 1. */
-    @Override double observe(long nowNanos) {
-        double level = (site().surroundings().decibels() - SOFTEST) / (LOUDEST - SOFTEST);
+    private double level(long nowNanos) {
+        double level = (site().surroundings().arena().sound().decibels() - SOFTEST) / (LOUDEST - SOFTEST);
         return Math.max(0, Math.min(1, part * level + NOISE * site().noise().bell(nowNanos / SAMPLE_NANOS, 0)));
+    }
+
+    @Override double[] reading(long nowNanos) {
+        return new double[] {level(nowNanos)};
     }
 }

@@ -104,7 +104,7 @@ final class NxtUltrasonicSensor extends SensorModel {
     }
 
     /** Distance in centimetres, 255 for nothing. */
-    @Override double observe(long nowNanos) {
-        return registers[COMMAND] == OFF ? Double.NaN : registers[DISTANCES] & 0xff;
+    @Override double[] reading(long nowNanos) {
+        return registers[COMMAND] == OFF ? new double[0] : new double[] {registers[DISTANCES] & 0xff};
     }
 }

@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.hardware.I2cChannel;
+import brickless.kernel.Costs;
 
 /** The I²C side of a port. */
 final class RegisterBus implements I2cChannel {
@@ -16,7 +17,7 @@ final class RegisterBus implements I2cChannel {
 
     @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset,
             int readLength) {
-        port.occupy(Charges.I2C_TRANSACTION);
+        port.occupy(Costs.I2C_TRANSACTION_NANOS);
         synchronized (port.lock()) {
             if (!(port.sensor() instanceof NxtUltrasonicSensor sensor) || address != NxtUltrasonicSensor.ADDRESS) {
                 return Status.NO_ANSWER;

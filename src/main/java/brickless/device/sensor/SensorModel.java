@@ -44,8 +44,8 @@ abstract sealed class SensorModel permits AnalogSensor, UartSensor, NxtUltrasoni
     /** LEGO's number of the device. */
     abstract int deviceType();
 
-    /** The main value in the present mode, in the device's own unit, for traces; not a number while it sends nothing. */
-    abstract double observe(long nowNanos);
+    /** What it sends in its present mode, in the device's own units, for traces; empty while it sends nothing. Changes nothing. */
+    abstract double[] reading(long nowNanos);
 
     /** Follows the arena; called after every step. */
     void afterStep(long nowNanos) {

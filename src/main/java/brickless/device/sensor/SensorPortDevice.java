@@ -7,6 +7,7 @@ import brickless.hardware.UartChannel;
 import brickless.kernel.Processor;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel.SensorMount;
+import brickless.world.SensorType;
 
 /**
  * An input port: the socket that programs use and the sensor plugged into it.
@@ -69,8 +70,13 @@ public final class SensorPortDevice implements SensorSocket {
         return sensor == null ? null : sensor.site().mount();
     }
 
+    /** Kind of the plugged sensor, null for an empty port. */
+    public SensorType type() {
+        return sensor == null ? null : sensor.type();
+    }
+
     /** Presses a touch sensor by hand, or lets it go. Other sensors do not notice. */
-    public void setPushed(boolean pushed) {
+    public void push(boolean pushed) {
         synchronized (lock()) {
             if (sensor != null) {
                 sensor.site().setPushed(pushed);
@@ -86,14 +92,15 @@ public final class SensorPortDevice implements SensorSocket {
     }
 
     /**
-     * The main value in the present mode for traces, in the device's unit: 0 or 1, millimetres, degrees, percent, …; not a number while it
+     * What the sensor sends in its present mode, for traces: 0 or 1, millimetres, degrees, percent, … as listed in MODELS.md; empty while it
      * sends nothing. Charges nothing and changes nothing.
      */
-    public double observe(long nowNanos) {
+    public double[] reading(long nowNanos) {
         synchronized (lock()) {
-            return sensor == null ? Double.NaN : sensor.observe(nowNanos);
+            return sensor == null ? new double[0] : sensor.reading(nowNanos);
         }
     }
+
 
     @Override public Wiring wiring() {
         return sensor == null ? Wiring.NONE : sensor.wiring();

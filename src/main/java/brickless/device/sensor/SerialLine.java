@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.hardware.UartChannel;
+import brickless.kernel.Costs;
 
 /** The serial side of a port. */
 final class SerialLine implements UartChannel {
@@ -8,10 +9,9 @@ final class SerialLine implements UartChannel {
     private static final long START_NANOS = 100_000_000;
     /** Time until the brick knows that nobody answers. */
     private static final long NO_ANSWER_NANOS = 30_000_000;
-    private static final int LONGEST_MESSAGE = 32;
 
     private final SensorPortDevice port;
-    private final byte[] message = new byte[LONGEST_MESSAGE];
+    private final byte[] message = new byte[UartSensor.LONGEST_MESSAGE];
 
     SerialLine(SensorPortDevice port) {
         this.port = port;
@@ -26,7 +26,7 @@ final class SerialLine implements UartChannel {
     }
 
     private boolean change(int mode, boolean restart) {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         if (!(port.sensor() instanceof UartSensor sensor) || !sensor.has(mode)) {
             port.pause(NO_ANSWER_NANOS);
             return false;
@@ -45,12 +45,12 @@ final class SerialLine implements UartChannel {
     }
 
     @Override public void reset() {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         port.release();
     }
 
     @Override public int read(byte[] destination, int offset, int length) {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
             if (!(port.sensor() instanceof UartSensor sensor) || sensor.mode() == UartSensor.DARK) {
                 return 0;
@@ -63,7 +63,7 @@ final class SerialLine implements UartChannel {
     }
 
     @Override public int write(byte[] source, int offset, int length) {
-        port.charge(Charges.SENSOR_READ);
+        port.charge(Costs.SENSOR_READ_NANOS);
         return port.sensor() instanceof UartSensor ? length : 0;
     }
 

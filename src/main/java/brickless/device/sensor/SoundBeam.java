@@ -2,6 +2,7 @@ package brickless.device.sensor;
 
 import brickless.physics.ObstacleBody;
 import brickless.physics.RayHit;
+import brickless.units.Angles;
 
 /** Echo of an ultrasonic sensor: the nearest thing in a cone that throws sound back. */
 final class SoundBeam {
@@ -12,8 +13,8 @@ final class SoundBeam {
     /** Longest distance, metres. */
     static final double REACH = 2.55;
     private static final int RAYS = 9;
-    private static final double SPACING = StrictMath.toRadians(2 * HALF_ANGLE_DEGREES / (RAYS - 1));
-    private static final double LARGEST_INCIDENCE = StrictMath.toRadians(LARGEST_INCIDENCE_DEGREES);
+    private static final double SPACING = Angles.radiansFromDegrees(2 * HALF_ANGLE_DEGREES / (RAYS - 1));
+    private static final double LARGEST_INCIDENCE = Angles.radiansFromDegrees(LARGEST_INCIDENCE_DEGREES);
 
     private final RayHit hit = new RayHit();
 

@@ -4,11 +4,9 @@ import brickless.physics.Aim;
 import brickless.physics.Arena;
 import brickless.physics.RayHit;
 import brickless.world.Lamp;
-import java.util.ArrayList;
-import java.util.List;
 
 /**
- * What sensors of all robots can perceive: the arena, its floor and lights, and the sound. One per simulation.
+ * What sensors can perceive: the arena, its floor and lights.
  *
  * <p>Guarded by the arena's monitor.
  */
@@ -17,15 +15,11 @@ public final class Surroundings {
     public static final double ROOM_LUX = 100;
     /** Height of all lamps, metres: assumption; decides how fast their light fades with distance. */
     private static final double LAMP_HEIGHT = 0.5;
-    /** Background noise, decibels: assumption, a quiet room. */
-    public static final double QUIET_DECIBELS = 40;
 
     private final Arena arena;
     private final FloorColour floor;
     private final boolean ideal;
     private final long seed;
-    private final List<UltrasonicSensor> pingers = new ArrayList<>();
-    private double decibels = QUIET_DECIBELS;
 
     /**
      * Creates the surroundings.
@@ -52,15 +46,6 @@ public final class Surroundings {
         return ideal;
     }
 
-    /** Sets how loud it is everywhere, decibels; claps last as long as the caller says. */
-    public void setSoundDecibels(double newDecibels) {
-        decibels = newDecibels;
-    }
-
-    double decibels() {
-        return decibels;
-    }
-
     FloorColour floor() {
         return floor;
     }
@@ -79,24 +64,6 @@ public final class Surroundings {
             sum += lamp.lux() * cosSquared * cosSquared;
         }
         return sum;
-    }
-
-    void addPinger(UltrasonicSensor sensor) {
-        pingers.add(sensor);
-    }
-
-    void removePinger(UltrasonicSensor sensor) {
-        pingers.remove(sensor);
-    }
-
-    /** Whether another ultrasonic sensor sends within reach of one that listens. */
-    boolean hearsPing(UltrasonicSensor listener, Aim at) {
-        for (UltrasonicSensor pinger : pingers) {
-            if (pinger != listener && pinger.reaches(at)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** Casts a ray, see {@link Arena#castRay}. */

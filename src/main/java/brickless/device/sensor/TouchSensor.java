@@ -39,7 +39,7 @@ final class TouchSensor extends AnalogSensor {
         return ev3 && pressed() ? EV3_PRESSED_VOLTS : 0;
     }
 
-    @Override double observe(long nowNanos) {
-        return pressed() ? 1 : 0;
+    @Override double[] reading(long nowNanos) {
+        return new double[] {pressed() ? 1 : 0};
     }
 }

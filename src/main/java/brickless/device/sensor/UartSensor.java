@@ -6,6 +6,9 @@ import brickless.hardware.SensorSocket.Wiring;
 abstract sealed class UartSensor extends SensorModel permits ColourSensor, UltrasonicSensor, GyroSensor, InfraredSensor {
     /** Mode before the first selection and after a reset. */
     static final int DARK = -1;
+    /** Bytes of the longest message of any device. */
+    static final int LONGEST_MESSAGE = 8;
+
     private final int deviceType;
     private final UartMode[] modes;
     private int mode = DARK;
@@ -55,6 +58,19 @@ abstract sealed class UartSensor extends SensorModel permits ColourSensor, Ultra
 
     /** Writes the message of the present mode, {@code mode(mode()).bytes()} long. */
     abstract void message(long nowNanos, byte[] out);
+
+    @Override final double[] reading(long nowNanos) {
+        if (mode == DARK) {
+            return new double[0];
+        }
+        byte[] message = new byte[LONGEST_MESSAGE];
+        message(nowNanos, message);
+        double[] values = new double[modes[mode].values()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = modes[mode].value(message, i);
+        }
+        return values;
+    }
 
     static void putShort(byte[] out, int index, int value) {
         out[2 * index] = (byte) value;

@@ -1,9 +1,11 @@
 package brickless.device.sensor;
 
 import brickless.physics.Aim;
+import brickless.physics.SoundField;
+import brickless.units.Angles;
 
 /** EV3 ultrasonic sensor: distance in millimetres, a new one with every ping, each known one ping later. */
-final class UltrasonicSensor extends UartSensor {
+final class UltrasonicSensor extends UartSensor implements SoundField.Source {
     private static final int DEVICE = 30;
     /** Time between pings, nanoseconds: assumption within 25 to 50 ms. */
     static final long PING_NANOS = 25_000_000;
@@ -20,7 +22,7 @@ final class UltrasonicSensor extends UartSensor {
     private static final int SINGLE_INCHES = 4;
     private static final int CONTINUOUS_INCHES = 6;
     /** Pings are heard within this angle of the sender's direction, radians: assumption. */
-    private static final double HEARD_WITHIN = StrictMath.toRadians(45);
+    private static final double HEARD_WITHIN = Angles.radiansFromDegrees(45);
 
     private final SoundBeam beam = new SoundBeam();
     private int onItsWay = NOTHING_MM;
@@ -28,8 +30,12 @@ final class UltrasonicSensor extends UartSensor {
     private long lastPing = Long.MIN_VALUE;
 
     UltrasonicSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.slow("US-DIST-CM", 2), UartMode.slow("US-DIST-IN", 2), UartMode.slow("US-LISTEN", 1),
-                UartMode.slow("US-SI-CM", 2), UartMode.slow("US-SI-IN", 2), UartMode.slow("US-DC-CM", 2), UartMode.slow("US-DC-IN", 2));
+        super(site, DEVICE, UartMode.slow("US-DIST-CM", 1, 2), UartMode.slow("US-DIST-IN", 1, 2), UartMode.slow("US-LISTEN", 1, 1),
+                UartMode.slow("US-SI-CM", 1, 2), UartMode.slow("US-SI-IN", 1, 2), UartMode.slow("US-DC-CM", 1, 2), UartMode.slow("US-DC-IN", 1, 2));
+    }
+
+    private SoundField sound() {
+        return site().surroundings().arena().sound();
     }
 
     private boolean pinging() {
@@ -37,14 +43,14 @@ final class UltrasonicSensor extends UartSensor {
     }
 
     @Override void selected(long nowNanos) {
-        site().surroundings().removePinger(this);
+        sound().remove(this);
         if (mode() == DARK || mode() == LISTEN) {
             return;
         }
         ping(nowNanos / PING_NANOS);
         latest = onItsWay;
         if (pinging()) {
-            site().surroundings().addPinger(this);
+            sound().add(this);
         }
     }
 
@@ -70,7 +76,7 @@ final class UltrasonicSensor extends UartSensor {
     }
 
     /** Whether this sensor's pings arrive somewhere. */
-    boolean reaches(Aim other) {
+    @Override public boolean reaches(Aim other) {
         Aim own = aim();
         double dx = other.x - own.x;
         double dy = other.y - own.y;
@@ -80,13 +86,9 @@ final class UltrasonicSensor extends UartSensor {
 
     @Override void message(long nowNanos, byte[] out) {
         switch (mode()) {
-            case LISTEN -> out[0] = (byte) (site().surroundings().hearsPing(this, aim()) ? 1 : 0);
+            case LISTEN -> out[0] = (byte) (sound().heard(this, aim()) ? 1 : 0);
             case INCHES, SINGLE_INCHES, CONTINUOUS_INCHES -> putShort(out, 0, (int) Math.round(latest / MM_PER_TENTH_INCH));
             default -> putShort(out, 0, latest);
         }
-    }
-
-    @Override double observe(long nowNanos) {
-        return mode() == DARK ? Double.NaN : latest;
     }
 }

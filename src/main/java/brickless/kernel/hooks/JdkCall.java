@@ -6,15 +6,16 @@ import java.util.Locale;
  * One line of the table of redirected JDK calls. Names are internal ({@code java/lang/Thread}). Shared.
  *
  * @param kind how the call is redirected
- * @param sinceJdk first JDK that has the member, 0 = any
+ * @param firstJdk first JDK that has the member, 0 = any
+ * @param lastJdk last JDK that has it; calls of it are redirected on later ones too
  * @param owner class that declares the member
  * @param name name of the member
  * @param descriptor its descriptor
  * @param hook what to call instead; for {@link Kind#NEW} several, separated by commas
  */
-public record JdkCall(Kind kind, int sinceJdk, String owner, String name, String descriptor, String hook) {
+public record JdkCall(Kind kind, int firstJdk, int lastJdk, String owner, String name, String descriptor, String hook) {
     /** How a call is redirected; the table's comment explains. */
-    public enum Kind { STATIC, VIRTUAL, FINAL, NEW, REFERENCE, ARGUMENT }
+    public enum Kind { STATIC, VIRTUAL, FINAL, NEW, ARGUMENT }
 
     private static final String HOOKS = "brickless/kernel/hooks/";
     private static final String STRICT_MATH = "StrictMath";
@@ -23,9 +24,10 @@ public record JdkCall(Kind kind, int sinceJdk, String owner, String name, String
     static JdkCall parse(String line) {
         String[] words = line.trim().split("\\s+");
         String[] kind = words[0].split("@");
+        int jdk = kind.length > 1 ? Integer.parseInt(kind[1]) : 0;
         int dot = words[1].indexOf('.');
         int arguments = words[1].indexOf('(');
-        return new JdkCall(Kind.valueOf(kind[0].toUpperCase(Locale.ROOT)), kind.length > 1 ? Integer.parseInt(kind[1]) : 0,
+        return new JdkCall(Kind.valueOf(kind[0].toUpperCase(Locale.ROOT)), Math.max(jdk, 0), jdk < 0 ? -jdk : Integer.MAX_VALUE,
                 words[1].substring(0, dot), words[1].substring(dot + 1, arguments), words[1].substring(arguments), words[2]);
     }
 
@@ -51,8 +53,6 @@ public record JdkCall(Kind kind, int sinceJdk, String owner, String name, String
             case VIRTUAL:
             case FINAL:
                 return "(L" + owner + ";" + descriptor.substring(1);
-            case REFERENCE:
-                return descriptor.substring(0, descriptor.length() - 1) + "L" + owner + ";";
             case ARGUMENT:
                 return hook.substring(hook.indexOf('('));
             default:

@@ -1,5 +1,7 @@
 package brickless.kernel.hooks;
 
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.AbstractCollection;
 import java.util.AbstractMap;
 import java.util.Collection;
@@ -46,6 +48,9 @@ public final class TextHooks {
         }
         if (value.getClass() == Date.class) {
             return TimeHooks.text((Date) value);
+        }
+        if (value.getClass() == ByteArrayOutputStream.class) {
+            return ((ByteArrayOutputStream) value).toString(StandardCharsets.UTF_8);
         }
         if (value.getClass() == Object.class || value.getClass().isArray()) {
             return value.getClass().getName() + "@" + Integer.toHexString(IdentityHashes.hashCode(value));

@@ -9,9 +9,7 @@ import java.time.OffsetDateTime;
 import java.time.ZoneId;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
-import java.util.Calendar;
 import java.util.Date;
-import java.util.GregorianCalendar;
 import java.util.Locale;
 import java.util.TimeZone;
 
@@ -68,26 +66,9 @@ public final class TimeHooks {
         return ZoneOffset.UTC;
     }
 
-    /** {@code Date::new}. */
-    public static Date date() {
-        return new Date(Hooks.machine().currentTimeMillis());
-    }
-
-    /** {@code Locale.getDefault}. */
-    public static Locale locale() {
-        return Locale.ENGLISH;
-    }
-
     /** {@code TimeZone.getDefault}. */
     public static TimeZone timeZone() {
         return TimeZone.getTimeZone("UTC");
-    }
-
-    /** {@code Calendar.getInstance}. */
-    public static Calendar calendar() {
-        Calendar calendar = new GregorianCalendar(timeZone(), Locale.ENGLISH);
-        calendar.setTimeInMillis(Hooks.machine().currentTimeMillis());
-        return calendar;
     }
 
     /** What {@code date.toString()} gives in UTC, such as {@code Thu Jan 01 00:00:00 UTC 1970}. */

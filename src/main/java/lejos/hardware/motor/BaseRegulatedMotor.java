@@ -11,8 +11,9 @@ import lejos.robotics.RegulatedMotorListener;
 /**
  * A motor with an encoder whose speed and angle are regulated.
  *
- * <p>Speeds are degrees per second, accelerations degrees per second squared, angles degrees, forward positive. A new move replaces the
- * running one in a continuous ramp. Threads may share a motor: commands are serialised, waiting does not hold others up.
+ * <p>Speeds are degrees per second, accelerations degrees per second squared, angles degrees, forward positive. A new
+ * move replaces the running one in a continuous ramp. Threads may share a motor: commands are serialised, waiting does
+ * not hold others up.
  */
 public abstract class BaseRegulatedMotor extends Device implements RegulatedMotor {
     /** Limit of a move without end. */
@@ -51,8 +52,8 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
      * @param offset power added against friction, 0 to 10000
      * @param maxSpeed speed of the free motor at 9 V, degrees per second
      */
-    public BaseRegulatedMotor(TachoMotorPort port, MotorRegulator regulator, int typ, float moveP, float moveI, float moveD,
-            float holdP, float holdI, float holdD, int offset, int maxSpeed) {
+    public BaseRegulatedMotor(TachoMotorPort port, MotorRegulator regulator, int typ, float moveP, float moveI,
+            float moveD, float holdP, float holdI, float holdD, int offset, int maxSpeed) {
         EV3Ports.announce(port, this);
         tachoPort = port;
         reg = regulator == null ? port.getRegulator() : regulator;
@@ -68,11 +69,15 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
      */
     public BaseRegulatedMotor(Port port, MotorRegulator regulator, int typ, float moveP, float moveI, float moveD,
             float holdP, float holdI, float holdD, int offset, int maxSpeed) {
-        this(port.open(TachoMotorPort.class), regulator, typ, moveP, moveI, moveD, holdP, holdI, holdD, offset, maxSpeed);
+        this(port.open(TachoMotorPort.class), regulator, typ, moveP, moveI, moveD, holdP, holdI, holdD, offset,
+                maxSpeed);
         releaseOnClose(tachoPort);
     }
 
-    /** Stops the motor, blocking until it stands, lets it float, and closes the port if this object opened it. May be called again. */
+    /**
+     * Stops the motor, blocking until it stands, lets it float, and closes the port if this object opened it. May be
+     * called again.
+     */
     @Override
     public void close() {
         if (closed) {
@@ -94,7 +99,10 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
         return reg.getTachoCount();
     }
 
-    /** Position of the regulator's model in degrees: stays at the target while the wheel is held, even if the encoder deviates. */
+    /**
+     * Position of the regulator's model in degrees: stays at the target while the wheel is held, even if the encoder
+     * deviates.
+     */
     public float getPosition() {
         return reg.getPosition();
     }
@@ -115,7 +123,9 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
         flt(false);
     }
 
-    /** Slows down under regulation, then lets the motor float; blocks until it stands unless {@code immediateReturn}. */
+    /**
+     * Slows down under regulation, then lets the motor float; blocks until it stands unless {@code immediateReturn}.
+     */
     @Override
     public void flt(boolean immediateReturn) {
         reg.newMove(0, acceleration, NO_LIMIT, false, !immediateReturn);
@@ -127,7 +137,10 @@ public abstract class BaseRegulatedMotor extends Device implements RegulatedMoto
         stop(false);
     }
 
-    /** Slows down under regulation, then holds the position; blocks until the motor stands unless {@code immediateReturn}. */
+    /**
+     * Slows down under regulation, then holds the position; blocks until the motor stands unless {@code
+     * immediateReturn}.
+     */
     @Override
     public void stop(boolean immediateReturn) {
         reg.newMove(0, acceleration, NO_LIMIT, true, !immediateReturn);

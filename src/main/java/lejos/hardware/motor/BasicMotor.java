@@ -20,8 +20,8 @@ public abstract class BasicMotor extends Device implements DCMotor {
     public BasicMotor() {}
 
     /**
-     * Sets the power. A motor that runs follows at once, and so does one that has had no other command yet; after stop or float the power is
-     * remembered for the next start.
+     * Sets the power. A motor that runs follows at once, and so does one that has had no other command yet; after stop
+     * or float the power is remembered for the next start.
      *
      * @param power percent, −100 to 100; negative reverses
      */

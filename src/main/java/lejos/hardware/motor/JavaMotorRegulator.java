@@ -11,9 +11,9 @@ import lejos.utility.Delay;
 /**
  * A regulator in software for any {@link TachoMotorPort}; motors use it only if it is given to their constructor.
  *
- * <p>One background thread serves all motors every 4 ms. Unlike the default regulator it slows down to zero before it changes direction,
- * stops the motor to reset the tacho, cannot synchronise motors, and always uses the gains of a large motor. All state of a motor is
- * guarded by the lock of its regulator; listeners are called under it.
+ * <p>One background thread serves all motors every 4 ms. Unlike the default regulator it slows down to zero before it
+ * changes direction, stops the motor to reset the tacho, cannot synchronise motors, and always uses the gains of a
+ * large motor. All state of a motor is guarded by the lock of its regulator; listeners are called under it.
  */
 public class JavaMotorRegulator implements MotorRegulator {
     private static final int PERIOD_MILLIS = 4;
@@ -174,7 +174,8 @@ public class JavaMotorRegulator implements MotorRegulator {
 
     /** Stops the motor, lets it float and waits; the values are ignored, as in the original. */
     @Override
-    public void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI, float holdD, int offset) {
+    public void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI,
+            float holdD, int offset) {
         newMove(0, DEFAULT_ACCELERATION, NO_LIMIT, false, true);
     }
 
@@ -306,7 +307,9 @@ public class JavaMotorRegulator implements MotorRegulator {
         encoder = tachoPort.getTachoCount();
     }
 
-    /** Second part of a period: advances the plan, ends the move if it is complete or blocked, and computes the power. */
+    /**
+     * Second part of a period: advances the plan, ends the move if it is complete or blocked, and computes the power.
+     */
     synchronized void compute(int elapsedMillis) {
         if (!active) {
             return;
@@ -359,8 +362,10 @@ public class JavaMotorRegulator implements MotorRegulator {
         }
     }
 
-    /** The thread that serves all active motors every 4 ms: reads all encoders, computes all powers, sets all powers. */
-    public static class Controller extends Thread {
+    /**
+     * The thread that serves all active motors every 4 ms: reads all encoders, computes all powers, sets all powers.
+     */
+    protected static class Controller extends Thread {
         /** Guarded by this. */
         private final List<JavaMotorRegulator> motors = new ArrayList<>();
         private boolean running;

@@ -40,7 +40,8 @@ final class MotionProfile {
     static MotionProfile stop(double position, double velocity, double acceleration) {
         double seconds = Math.abs(velocity) / acceleration;
         double end = position + velocity * seconds / 2;
-        return new MotionProfile(position, velocity, 0, velocity, 0, 0, Math.copySign(acceleration, velocity), seconds, end);
+        return new MotionProfile(position, velocity, 0, velocity, 0, 0, Math.copySign(acceleration, velocity), seconds,
+                end);
     }
 
     /** Changes to a velocity and keeps it. */
@@ -50,7 +51,10 @@ final class MotionProfile {
         return new MotionProfile(position, velocity, ramp, target, seconds, Double.POSITIVE_INFINITY, 0, 0, position);
     }
 
-    /** Goes to a position and stops there; a target nearer than the braking distance is passed and approached from behind. */
+    /**
+     * Goes to a position and stops there; a target nearer than the braking distance is passed and approached from
+     * behind.
+     */
     static MotionProfile to(double limit, double position, double velocity, double speed, double acceleration) {
         double length = limit - position;
         double brakingDistance = velocity * Math.abs(velocity) / (2 * acceleration);

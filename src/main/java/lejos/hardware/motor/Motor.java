@@ -5,8 +5,8 @@ import lejos.hardware.port.MotorPort;
 /**
  * Four ready-made regulated motors.
  *
- * <p>Touching any of them opens <em>all four</em> ports; a program that uses this class cannot create motor objects of its own, and this
- * class cannot be initialised while one of the ports is open.
+ * <p>Touching any of them opens <em>all four</em> ports; a program that uses this class cannot create motor objects of
+ * its own, and this class cannot be initialised while one of the ports is open.
  */
 public class Motor {
     /** Motor on port A. */

@@ -3,7 +3,10 @@ package lejos.hardware.motor;
 import lejos.robotics.RegulatedMotor;
 import lejos.robotics.RegulatedMotorListener;
 
-/** What moves a motor in a controlled way. Angles are degrees in the frame set by {@link #resetTachoCount()}, forward positive. */
+/**
+ * What moves a motor in a controlled way. Angles are degrees in the frame set by {@link #resetTachoCount()}, forward
+ * positive.
+ */
 public interface MotorRegulator {
     /** Limit of a move without end; negative for backward. */
     int NO_LIMIT = 0x7fffffff;
@@ -20,7 +23,8 @@ public interface MotorRegulator {
      * @param holdD differential gain while holding
      * @param offset power added against friction, 0 to 10000 for 0 to 100 %
      */
-    void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI, float holdD, int offset);
+    void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI, float holdD,
+            int offset);
 
     /** Encoder count in whole degrees. */
     int getTachoCount();

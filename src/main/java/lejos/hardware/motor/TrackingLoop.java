@@ -33,7 +33,8 @@ final class TrackingLoop {
         double periods = elapsedMillis / PERIOD_MILLIS;
         quickError = 0.375 * quickError + 0.625 * error;
         slowError = 0.75 * slowError + 0.25 * error;
-        double power = basePower + gains.proportional() * quickError + gains.differential() * (quickError - slowError) / periods;
+        double power = basePower + gains.proportional() * quickError
+                + gains.differential() * (quickError - slowError) / periods;
         basePower = clamp(basePower + gains.integral() * (power - basePower) * periods);
         return (int) Math.round(clamp(power));
     }

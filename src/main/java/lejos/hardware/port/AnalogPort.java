@@ -9,7 +9,8 @@ public interface AnalogPort extends IOPort, BasicSensorPort {
     float getPin1();
 
     /**
-     * Reads an NXT colour sensor: voltages of red, green, blue and background, then the LEGO colour id 1 to 6 (0 = none).
+     * Reads an NXT colour sensor: voltages of red, green, blue and background, then the LEGO colour id 1 to 6 (0 =
+     * none).
      *
      * @param vals array to fill
      * @param offset index of the first element to fill

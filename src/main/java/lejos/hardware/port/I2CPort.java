@@ -13,5 +13,6 @@ public interface I2CPort extends IOPort, BasicSensorPort {
      * @param readBuf array to fill, may be null when {@code readLen} is 0
      * @throws I2CException if nothing answers or the bus is busy
      */
-    void i2cTransaction(int deviceAddress, byte[] writeBuf, int writeOffset, int writeLen, byte[] readBuf, int readOffset, int readLen);
+    void i2cTransaction(int deviceAddress, byte[] writeBuf, int writeOffset, int writeLen, byte[] readBuf,
+            int readOffset, int readLen);
 }

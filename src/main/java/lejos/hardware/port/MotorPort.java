@@ -1,15 +1,15 @@
 package lejos.hardware.port;
 
-import lejos.internal.ev3.EV3Ports;
+import lejos.hardware.BrickFinder;
 
 /** The four motor ports of the default brick; touching them opens nothing. */
 public interface MotorPort {
     /** Port A. */
-    Port A = EV3Ports.motorPort(0);
+    Port A = BrickFinder.getDefault().getPort("A");
     /** Port B. */
-    Port B = EV3Ports.motorPort(1);
+    Port B = BrickFinder.getDefault().getPort("B");
     /** Port C. */
-    Port C = EV3Ports.motorPort(2);
+    Port C = BrickFinder.getDefault().getPort("C");
     /** Port D. */
-    Port D = EV3Ports.motorPort(3);
+    Port D = BrickFinder.getDefault().getPort("D");
 }

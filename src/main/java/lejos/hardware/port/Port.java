@@ -6,7 +6,8 @@ public interface Port {
     String getName();
 
     /**
-     * Opens the port for one way of talking to the device. Whether a device is plugged in is not checked. Does not block.
+     * Opens the port for one way of talking to the device. Whether a device is plugged in is not checked. Does not
+     * block.
      *
      * @param portclass the interface wanted, e.g. {@link UARTPort}
      * @throws IllegalArgumentException if this kind of port has no such interface

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.NoSuchElementException;
 import lejos.hardware.Device;
 
-/** The list of modes that every sensor has. Drivers call {@link #setModes(SensorMode[])} once, when they are constructed. */
+/**
+ * The list of modes that every sensor has. Drivers call {@link #setModes(SensorMode[])} once, when they are
+ * constructed.
+ */
 public class BaseSensor extends Device implements SensorModes {
     /** Index of the mode that the sensor object stands for. */
     protected int currentMode;
@@ -61,7 +64,8 @@ public class BaseSensor extends Device implements SensorModes {
     }
 
     private Throwable listOfModes() {
-        return new NoSuchElementException(getClass().getSimpleName() + " has the modes " + String.join(", ", getAvailableModes()));
+        return new NoSuchElementException(getClass().getSimpleName() + " has the modes "
+                + String.join(", ", getAvailableModes()));
     }
 
     @Override

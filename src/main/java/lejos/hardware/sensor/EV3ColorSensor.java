@@ -9,7 +9,8 @@ import lejos.robotics.LampController;
 /**
  * The EV3 colour sensor: mode 0 "ColorID", mode 1 "Red", mode 2 "RGB", mode 3 "Ambient".
  *
- * <p>The lamp belongs to the hardware mode: it cannot be set independently of what is measured, and the next fetch turns it on again.
+ * <p>The lamp belongs to the hardware mode: it cannot be set independently of what is measured, and the next fetch
+ * turns it on again.
  */
 public class EV3ColorSensor extends UARTSensor implements LampController, ColorIdentifier {
     /** {@link Color} numbers by LEGO colour id 0 to 7. */
@@ -44,7 +45,10 @@ public class EV3ColorSensor extends UARTSensor implements LampController, ColorI
     /** Sets the modes. */
     protected void initModes() {
         setModes(new SensorMode[] {
-            new ColorIDMode(), new PercentMode("Red", COL_REFLECT), new RGBMode(), new PercentMode("Ambient", COL_AMBIENT)});
+            new ColorIDMode(),
+            new PercentMode("Red", COL_REFLECT),
+            new RGBMode(),
+            new PercentMode("Ambient", COL_AMBIENT)});
     }
 
     /**

@@ -58,7 +58,10 @@ public class EV3GyroSensor extends UARTSensor {
         return getMode(2);
     }
 
-    /** Makes the present angle zero and recalibrates; blocks for two switches of mode. The robot must stand still meanwhile. */
+    /**
+     * Makes the present angle zero and recalibrates; blocks for two switches of mode. The robot must stand still
+     * meanwhile.
+     */
     public void reset() {
         switchMode(RATE_ONLY, 0);
         switchMode(ANGLE_AND_RATE, 0);

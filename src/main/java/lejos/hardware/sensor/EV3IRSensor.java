@@ -51,8 +51,9 @@ public class EV3IRSensor extends UARTSensor {
     }
 
     /**
-     * The buttons pressed on a remote control: 0 none, 1 top left, 2 bottom left, 3 top right, 4 bottom right, 5 both tops, 6 top left and
-     * bottom right, 7 bottom left and top right, 8 both bottoms, 9 beacon, 10 both left, 11 both right. May block for a switch of mode.
+     * The buttons pressed on a remote control: 0 none, 1 top left, 2 bottom left, 3 top right, 4 bottom right, 5 both
+     * tops, 6 top left and bottom right, 7 bottom left and top right, 8 both bottoms, 9 beacon, 10 both left, 11 both
+     * right. May block for a switch of mode.
      *
      * @param chan channel 0 to 3
      */
@@ -73,7 +74,10 @@ public class EV3IRSensor extends UARTSensor {
         return getMode(0);
     }
 
-    /** Mode "Seek": for each channel the bearing of the beacon (−25 to 25, right positive) and its distance (0 to 100 or infinity). */
+    /**
+     * Mode "Seek": for each channel the bearing of the beacon (−25 to 25, right positive) and its distance (0 to 100 or
+     * infinity).
+     */
     public SensorMode getSeekMode() {
         return getMode(1);
     }

@@ -171,7 +171,10 @@ public class I2CSensor extends BaseSensor implements SensorConstants {
         return fetchString(REG_PRODUCT_ID, ID_LENGTH);
     }
 
-    /** Reads a text of at most {@code len} characters, up to the first NUL, without blanks around it; empty if nothing answers. */
+    /**
+     * Reads a text of at most {@code len} characters, up to the first NUL, without blanks around it; empty if nothing
+     * answers.
+     */
     protected String fetchString(byte reg, int len) {
         byte[] text = new byte[len];
         try {

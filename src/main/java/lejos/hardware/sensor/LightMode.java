@@ -1,6 +1,9 @@
 package lejos.hardware.sensor;
 
-/** Light level of an analogue sensor whose voltage falls as it gets brighter, measured with the lamp as one type number sets it. */
+/**
+ * Light level of an analogue sensor whose voltage falls as it gets brighter, measured with the lamp as one type number
+ * sets it.
+ */
 final class LightMode implements SensorMode {
     /** Wait after the lamp has changed, milliseconds. */
     static final long SWITCH_DELAY = 10;

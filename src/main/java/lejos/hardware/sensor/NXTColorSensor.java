@@ -7,9 +7,11 @@ import lejos.robotics.ColorIdentifier;
 import lejos.robotics.LampController;
 
 /**
- * The NXT colour sensor: modes "ColorID", "Red", "Green", "Blue", "RGB" (four elements, the background last) and "None" (lamps off).
+ * The NXT colour sensor: modes "ColorID", "Red", "Green", "Blue", "RGB" (four elements, the background last) and "None"
+ * (lamps off).
  *
- * <p>Entering a mode that uses all lamps blocks for about a second while the sensor hands over its calibration; other changes take 10 ms.
+ * <p>Entering a mode that uses all lamps blocks for about a second while the sensor hands over its calibration; other
+ * changes take 10 ms.
  */
 public class NXTColorSensor extends AnalogSensor implements SensorConstants, LampController, ColorIdentifier {
     /** Wait after a change of lamps, milliseconds. */

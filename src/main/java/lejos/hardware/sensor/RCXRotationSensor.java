@@ -5,7 +5,8 @@ import lejos.robotics.Tachometer;
 import lejos.utility.Delay;
 
 /**
- * The RCX rotation sensor: 16 counts per turn, read from four voltage levels by a background thread. It has no sensor modes.
+ * The RCX rotation sensor: 16 counts per turn, read from four voltage levels by a background thread. It has no sensor
+ * modes.
  *
  * <p>The count and the speed are guarded by the lock of the reader.
  */
@@ -88,9 +89,10 @@ public class RCXRotationSensor extends AnalogSensor implements Tachometer, Senso
     }
 
     /** Watches the voltage levels; a level counts when it has been read twice in a row. */
-    public class Reader extends Thread {
+    protected class Reader extends Thread {
         private volatile boolean stopped;
         private int degreesPerSecond;
+        private int accepted = getPhase();
         private long lastChange = System.currentTimeMillis();
 
         /** The background thread of the enclosing sensor. */
@@ -100,7 +102,6 @@ public class RCXRotationSensor extends AnalogSensor implements Tachometer, Senso
 
         @Override
         public void run() {
-            int accepted = getPhase();
             int previous = accepted;
             while (!stopped) {
                 Delay.msDelay(UPDATE_TIME);

@@ -1,6 +1,9 @@
 package lejos.hardware.sensor;
 
-/** Sensor type, mode and colour numbers of the NXT generation, as ports and drivers take them. The colours are LEGO's own numbers, not those of {@link lejos.robotics.Color}. */
+/**
+ * Sensor type, mode and colour numbers of the NXT generation, as ports and drivers take them. The colours are LEGO's
+ * own numbers, not those of {@link lejos.robotics.Color}.
+ */
 public interface SensorConstants {
     /** LEGO colour id of black. */
     int BLACK = 1;

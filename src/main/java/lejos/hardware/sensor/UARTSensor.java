@@ -25,7 +25,8 @@ public class UARTSensor extends BaseSensor {
      * A sensor on a port that is opened now and closed with the sensor, in hardware mode 0.
      *
      * @throws DeviceException if the port is open already
-     * @throws IllegalArgumentException if it is not a sensor port or no serial sensor answers; the port is free afterwards
+     * @throws IllegalArgumentException if it is not a sensor port or no serial sensor answers; the port is free
+     *         afterwards
      */
     public UARTSensor(Port port) {
         this(port, 0);
@@ -51,8 +52,8 @@ public class UARTSensor extends BaseSensor {
      *
      * @param mode hardware mode to start in
      * @throws DeviceException if the port is open already
-     * @throws IllegalArgumentException if it is not a sensor port, no serial sensor answers or it has no such mode; the port is free
-     *         afterwards
+     * @throws IllegalArgumentException if it is not a sensor port, no serial sensor answers or it has no such mode; the
+     *         port is free afterwards
      */
     public UARTSensor(Port port, int mode) {
         this.port = port.open(UARTPort.class);

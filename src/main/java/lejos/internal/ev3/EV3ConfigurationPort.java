@@ -4,7 +4,9 @@ import brickless.hardware.BrickAccess;
 import brickless.hardware.SensorSocket;
 import lejos.hardware.port.ConfigurationPort;
 
-/** A port opened to find out what is plugged in. Virtual devices are identified at once; the original needs up to 2 s. */
+/**
+ * A port opened to find out what is plugged in. Virtual devices are identified at once; the original needs up to 2 s.
+ */
 public class EV3ConfigurationPort extends EV3IOPort implements ConfigurationPort {
     /** A port that is not open yet. */
     public EV3ConfigurationPort() {}
@@ -71,6 +73,8 @@ public class EV3ConfigurationPort extends EV3IOPort implements ConfigurationPort
 
     @Override
     String describePlug() {
-        return typ == EV3Port.SENSOR_PORT ? SensorPlug.describe(getName(), sensor(), user()) : motor() + " is plugged into " + getName();
+        return typ == EV3Port.SENSOR_PORT
+                ? SensorPlug.describe(getName(), sensor(), user())
+                : motor() + " is plugged into " + getName();
     }
 }

@@ -75,7 +75,8 @@ public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorCon
         synchronized (EV3IOPort.class) {
             EV3IOPort holder = OPEN[type][index];
             return holder == null ? null : new IllegalStateException("port " + holder.getName() + " is open already"
-                    + (holder.user == null ? "" : " for " + holder.user) + ": use another port, or close() the object that holds it");
+                    + (holder.user == null ? "" : " for " + holder.user)
+                    + ": use another port, or close() the object that holds it");
         }
     }
 
@@ -98,7 +99,10 @@ public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorCon
         return user;
     }
 
-    /** The original read its device memory at index −1 after a close; programs get the same exception with an explanation. */
+    /**
+     * The original read its device memory at index −1 after a close; programs get the same exception with an
+     * explanation.
+     */
     void requireOpen() {
         if (port < 0) {
             throw new IndexOutOfBoundsException("port " + getName() + " has been closed");

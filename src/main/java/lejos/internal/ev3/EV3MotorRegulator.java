@@ -13,8 +13,8 @@ import lejos.robotics.RegulatedMotorListener;
 /**
  * The default regulator of an open motor port: turns leJOS moves into requests for the brick's controller.
  *
- * <p>Commands are serialised by this object's lock; waiting happens outside it. The zero point of the tacho is kept here, so resetting it
- * does not disturb a running move.
+ * <p>Commands are serialised by this object's lock; waiting happens outside it. The zero point of the tacho is kept
+ * here, so resetting it does not disturb a running move.
  */
 final class EV3MotorRegulator implements MotorRegulator {
     private final EV3MotorPort port;
@@ -34,7 +34,8 @@ final class EV3MotorRegulator implements MotorRegulator {
     }
 
     @Override
-    public void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI, float holdD, int offset) {
+    public void setControlParamaters(int typ, float moveP, float moveI, float moveD, float holdP, float holdI,
+            float holdD, int offset) {
         regulation().configure(new RegulationTuning(moveP, moveI, moveD, holdP, holdI, holdD, offset / 100f));
     }
 

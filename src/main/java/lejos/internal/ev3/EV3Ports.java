@@ -3,7 +3,9 @@ package lejos.internal.ev3;
 import java.util.List;
 import lejos.hardware.port.IOPort;
 
-/** The eight ports of the local EV3. There is one port object per socket; every way to a port leads to the same object. */
+/**
+ * The eight ports of the local EV3. There is one port object per socket; every way to a port leads to the same object.
+ */
 public final class EV3Ports {
     private static final List<EV3Port> SENSOR_PORTS = List.of(
             new EV3Port("S1", EV3Port.SENSOR_PORT, 0), new EV3Port("S2", EV3Port.SENSOR_PORT, 1),
@@ -33,8 +35,8 @@ public final class EV3Ports {
     }
 
     /**
-     * Tells the simulator which leJOS class is about to use an opened port, so that it can plug the matching device into a fitted robot
-     * and name the class in messages. Ports that are not this brick's are ignored.
+     * Tells the simulator which leJOS class is about to use an opened port, so that it can plug the matching device
+     * into a fitted robot and name the class in messages. Ports that are not this brick's are ignored.
      *
      * @param port the opened port
      * @param device the motor or sensor object; a subclass of the program counts as the leJOS class it extends
@@ -45,7 +47,10 @@ public final class EV3Ports {
         }
     }
 
-    /** Why a device cannot be talked to, as a cause for an exception whose text is fixed by leJOS; null for a port that is not this brick's. */
+    /**
+     * Why a device cannot be talked to, as a cause for an exception whose text is fixed by leJOS; null for a port that
+     * is not this brick's.
+     */
     public static Throwable mismatch(IOPort port) {
         return port instanceof EV3IOPort opened ? new IllegalStateException(opened.describePlug()) : null;
     }

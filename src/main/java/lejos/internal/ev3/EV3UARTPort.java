@@ -6,7 +6,8 @@ import lejos.hardware.port.UARTPort;
 
 /** An input port opened for a serial sensor. The first change of mode connects to the sensor. */
 public class EV3UARTPort extends EV3SensorIOPort implements UARTPort {
-    private static final String RAW = "virtual sensors speak the EV3 sensor protocol only: raw serial lines are not available";
+    private static final String RAW =
+            "virtual sensors speak the EV3 sensor protocol only: raw serial lines are not available";
 
     private boolean connected;
 

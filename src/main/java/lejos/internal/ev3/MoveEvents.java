@@ -10,8 +10,8 @@ import lejos.robotics.RegulatedMotorListener;
 /**
  * Reports the starts and ends of one motor's moves. Blended moves report nothing in between.
  *
- * <p>Every method needs the regulator's lock, and listeners are called under it: by the commanding thread, by a thread that waited for
- * the end of the move, or by a daemon that looks every 5 ms.
+ * <p>Every method needs the regulator's lock, and listeners are called under it: by the commanding thread, by a thread
+ * that waited for the end of the move, or by a daemon that looks every 5 ms.
  */
 final class MoveEvents {
     private static final int LOOK_MILLIS = 5;

@@ -15,7 +15,7 @@ final class SensorPlug {
 
     static String describe(String port, SensorSocket socket, String user) {
         String plugged = socket.connected();
-        String found = plugged.equals("none") ? "nothing is plugged into " + port : plugged + " is plugged into " + port;
+        String found = (plugged.equals("none") ? "nothing" : plugged) + " is plugged into " + port;
         String device = user == null ? null : DEVICES.get(user);
         if (device == null) {
             return found + (user == null ? "" : "; " + user + " has no virtual counterpart that answers there");

@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import lejos.hardware.motor.MotorRegulator;
 
-/** Starts moves of several motors in the same control tick: between start and end moves are recorded, then sent together. */
+/**
+ * Starts moves of several motors in the same control tick: between start and end moves are recorded, then sent
+ * together.
+ */
 final class SynchronizedMoves {
     private final EV3MotorRegulator master;
     /** Guarded by this. */

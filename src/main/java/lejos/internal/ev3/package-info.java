@@ -1,5 +1,6 @@
 /**
- * What stands behind the ports of {@code lejos.hardware.port}: open state, sensor and motor ports, the default motor regulator.
+ * What stands behind the ports of {@code lejos.hardware.port}: open state, sensor and motor ports, the default motor
+ * regulator.
  *
  * <p>May use: {@code lejos.*}, {@code brickless.hardware} and the JDK.
  */

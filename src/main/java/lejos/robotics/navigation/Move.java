@@ -67,7 +67,7 @@ public class Move implements Transmittable {
         this.moving = isMoving;
         this.timeStamp = System.currentTimeMillis();
         if (Math.abs(angle) > STRAIGHT_DEGREES) {
-            arcRadius = distance / (float) StrictMath.toRadians(angle);
+            arcRadius = (float) (distance / StrictMath.toRadians(angle));
         }
     }
 

@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A motor that follows every plan exactly, unless it is blocked. Plans are ramps integrated millisecond by millisecond; a move ends
- * 100 ms after the reference stands. Safe for use by several threads.
+ * A motor that follows every plan exactly, unless it is blocked. Plans are ramps integrated millisecond by millisecond;
+ * a move ends 100 ms after the reference stands. Safe for use by several threads.
  */
 public final class FakeMotor implements MotorSocket, MotorRegulation {
     private static final int SETTLING_MILLIS = 100;
@@ -37,7 +37,9 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
         this.brick = brick;
     }
 
-    /** Everything that was done to the socket, in order, e.g. {@code "drive 50"}, {@code "expect NXTRegulatedMotor"}. */
+    /**
+     * Everything that was done to the socket, in order, e.g. {@code "drive 50"}, {@code "expect NXTRegulatedMotor"}.
+     */
     public synchronized List<String> log() {
         return List.copyOf(log);
     }
@@ -112,7 +114,8 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
             state = request.hold() ? RegulationState.HOLD : RegulationState.IDLE;
         } else {
             boolean cruising = change == 0;
-            state = standing || braking(target) ? RegulationState.DECEL : cruising ? RegulationState.MOVE : RegulationState.ACCEL;
+            RegulationState ahead = cruising ? RegulationState.MOVE : RegulationState.ACCEL;
+            state = standing || braking(target) ? RegulationState.DECEL : ahead;
         }
     }
 
@@ -215,13 +218,15 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
     @Override
     public synchronized void adjustSpeed(float degreesPerSecond) {
         log.add("adjustSpeed " + degreesPerSecond);
-        start(new MoveRequest(degreesPerSecond, request.accelerationDegreesPerSecondSquared(), request.limitDegrees(), request.hold()));
+        start(new MoveRequest(degreesPerSecond, request.accelerationDegreesPerSecondSquared(), request.limitDegrees(),
+                request.hold()));
     }
 
     @Override
     public synchronized void adjustAcceleration(int degreesPerSecondSquared) {
         log.add("adjustAcceleration " + degreesPerSecondSquared);
-        start(new MoveRequest(request.speedDegreesPerSecond(), degreesPerSecondSquared, request.limitDegrees(), request.hold()));
+        start(new MoveRequest(request.speedDegreesPerSecond(), degreesPerSecondSquared, request.limitDegrees(),
+                request.hold()));
     }
 
     @Override

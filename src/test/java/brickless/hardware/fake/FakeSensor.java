@@ -41,7 +41,10 @@ public final class FakeSensor implements SensorSocket {
         plug(Wiring.NONE, EMPTY, "none");
     }
 
-    /** Everything that was done to the port, in order, e.g. {@code "initialise 0"}, {@code "type 5"}, {@code "write 41 02"}. */
+    /**
+     * Everything that was done to the port, in order, e.g. {@code "initialise 0"}, {@code "type 5"}, {@code "write 41
+     * 02"}.
+     */
     public List<String> log() {
         return log;
     }
@@ -89,8 +92,8 @@ public final class FakeSensor implements SensorSocket {
     /** Analogue pins with settable converter values. */
     public static final class FakeAnalog implements AnalogChannel {
         private final List<String> log;
-        private int pin1;
-        private int pin6;
+        private volatile int pin1;
+        private volatile int pin6;
         private float[] colours = {};
 
         FakeAnalog(List<String> log) {
@@ -244,7 +247,8 @@ public final class FakeSensor implements SensorSocket {
         }
 
         @Override
-        public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset, int readLength) {
+        public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read,
+                int readOffset, int readLength) {
             log.add((readLength > 0 ? "read " : "write ") + hex(write, writeOffset, writeLength));
             Status trouble = troubles.isEmpty() ? Status.OK : troubles.remove(0);
             if (trouble != Status.OK || !plugged || address != 2) {

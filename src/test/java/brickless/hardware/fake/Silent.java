@@ -9,7 +9,8 @@ final class Silent {
     private Silent() {}
 
     static <T> T socket(Class<T> type) {
-        return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, (proxy, method, arguments) -> answer(method)));
+        return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type},
+                (proxy, method, arguments) -> answer(method)));
     }
 
     private static Object answer(Method method) {

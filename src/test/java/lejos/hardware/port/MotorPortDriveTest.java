@@ -16,9 +16,10 @@ class MotorPortDriveTest {
     final AttachedBrick brick = new AttachedBrick();
 
     @ParameterizedTest
-    @CsvSource({"50,1,drive 50", "50,2,drive -50", "-30,1,drive -30", "-30,2,drive 30", "0,1,drive 0", "100,-1,drive 100",
-        "100,0,drive 100", "200,1,drive -56", "200,2,drive 56", "-128,2,drive -128", "50,3,brake", "-50,3,brake", "50,4,coast",
-        "50,5,brake"})
+    @CsvSource({"50,1,drive 50", "50,2,drive -50", "-30,1,drive -30", "-30,2,drive 30", "0,1,drive 0",
+        "100,-1,drive 100", "100,0,drive 100", "200,1,drive -56", "200,2,drive 56", "-128,2,drive -128", "50,3,brake",
+                "-50,3,brake",
+        "50,4,coast", "50,5,brake"})
     void powerAndModeBecomeADuty(int power, int mode, String command) {
         MotorPort.A.open(BasicMotorPort.class).controlMotor(power, mode);
         assertEquals(List.of(command), brick.motor(0).log());

@@ -58,13 +58,15 @@ class SensorPortChannelsTest {
         for (int type = -1; type <= 20; type++) {
             assertEquals(Set.of(10, 11, 18, 19).contains(type), port.setType(type), "type " + type);
         }
-        assertEquals(List.of("configure 10kHz", "configure 10kHz 9V", "configure 100kHz", "configure 100kHz 9V"), brick.sensor(1).log());
+        assertEquals(List.of("configure 10kHz", "configure 10kHz 9V", "configure 100kHz", "configure 100kHz 9V"),
+                brick.sensor(1).log());
     }
 
     @Test
     void aDeadBusThrowsTheOriginalText() {
         I2CPort port = SensorPort.S2.open(I2CPort.class);
-        var silence = assertThrows(I2CException.class, () -> port.i2cTransaction(2, new byte[1], 0, 1, new byte[8], 0, 8));
+        var silence = assertThrows(I2CException.class, () ->
+                port.i2cTransaction(2, new byte[1], 0, 1, new byte[8], 0, 8));
         assertEquals("I2C I/O error", silence.getMessage());
         brick.sensor(1).i2c().troubles(Status.BUSY);
         var busy = assertThrows(I2CException.class, () -> port.i2cTransaction(2, new byte[1], 0, 1, new byte[8], 0, 8));
@@ -83,7 +85,8 @@ class SensorPortChannelsTest {
     void aTransactionIsLimitedTo32BytesEachWay() {
         I2CPort port = SensorPort.S2.open(I2CPort.class);
         assertThrows(IllegalArgumentException.class, () -> port.i2cTransaction(2, new byte[33], 0, 33, null, 0, 0));
-        assertThrows(IllegalArgumentException.class, () -> port.i2cTransaction(2, new byte[1], 0, 1, new byte[33], 0, 33));
+        assertThrows(IllegalArgumentException.class, () ->
+                port.i2cTransaction(2, new byte[1], 0, 1, new byte[33], 0, 33));
     }
 
     @Test
@@ -182,8 +185,8 @@ class SensorPortChannelsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"NONE,126,126", "UART,30,122", "UART,29,122", "ANALOG,16,121", "ANALOG,1,119", "ANALOG,2,119", "ANALOG,3,119",
-        "ANALOG,4,118", "I2C,123,120"})
+    @CsvSource({"NONE,126,126", "UART,30,122", "UART,29,122", "ANALOG,16,121", "ANALOG,1,119", "ANALOG,2,119",
+        "ANALOG,3,119", "ANALOG,4,118", "I2C,123,120"})
     void aSensorPortTellsWhatIsPluggedIn(Wiring wiring, int deviceType, int connection) {
         brick.sensor(3).plug(wiring, deviceType, "device");
         ConfigurationPort port = SensorPort.S4.open(ConfigurationPort.class);
