@@ -62,8 +62,8 @@ public interface CommonLCD {
      * @param src image memory, rows of whole bytes; may be null if {@code rop} does not look at it
      * @param sw width of the image in pixels
      * @param sh height of the image in pixels
-     * @param sx left edge of the part to copy; nothing is drawn if it is negative
-     * @param sy upper edge of the part to copy; nothing is drawn if it is negative
+     * @param sx left edge of the part to copy; nothing is drawn if it is negative after clipping the destination
+     * @param sy upper edge of the part to copy; nothing is drawn if it is negative after clipping the destination
      * @param dx left edge of the result
      * @param dy upper edge of the result
      * @param w width of the part in pixels

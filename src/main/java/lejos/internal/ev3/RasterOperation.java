@@ -27,11 +27,11 @@ final class RasterOperation {
 
     /** See {@link lejos.hardware.lcd.CommonLCD#bitBlt(byte[], int, int, int, int, byte[], int, int, int, int, int, int, int)}. */
     static void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h, int rop) {
-        if (sx < 0 || sy < 0) {
-            return;
-        }
         int left = Math.max(0, -dx);
         int top = Math.max(0, -dy);
+        if (sx + left < 0 || sy + top < 0) {
+            return;
+        }
         int width = Math.min(w, Math.min(sw - sx, dw - dx)) - left;
         int height = Math.min(h, Math.min(sh - sy, dh - dy)) - top;
         if (width > 0 && height > 0) {
