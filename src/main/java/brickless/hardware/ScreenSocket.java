@@ -25,6 +25,13 @@ public interface ScreenSocket {
     /** Copies all visible layers to the screen now. */
     void refresh();
 
+    /**
+     * Tells that the program has drawn into a layer; charges the processor time that the drawing takes on the brick.
+     *
+     * @param pixels pixels looked at or written; block copies count one per byte
+     */
+    void drawn(int pixels);
+
     /** A copy of what the screen shows, {@code ROW_BYTES × HEIGHT} bytes. */
     byte[] displayed();
 }

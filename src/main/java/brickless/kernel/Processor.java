@@ -1,10 +1,11 @@
 package brickless.kernel;
 
 /**
- * The processor a robot's program runs on, as device models and sockets see it: a clock, a way to charge time for a call, and a way to block.
+ * The processor a robot's program runs on, as device models and sockets see it: a clock, a way to charge time for a
+ * call, and a way to block.
  *
- * <p>The virtual-time kernel implements it with fibres; live mode implements it with real threads and the wall clock. Methods that
- * charge or block are called on a program thread; {@link Signal#raise()} also from the physics step.
+ * <p>The virtual-time kernel implements it with fibres; live mode implements it with real threads and the wall clock.
+ * Methods that charge or block are called on a program thread; {@link Signal#raise()} also from the physics step.
  */
 public interface Processor {
     /** Nanoseconds since the program's start. */
@@ -12,6 +13,13 @@ public interface Processor {
 
     /** Charges the running program thread for work; other threads and physics steps may run before it returns. */
     void charge(long nanos);
+
+    /**
+     * Tells that the running program thread did something that matters (a motor command …), so that its next {@code
+     * Thread.yield} is charged as a first one again. Blocking counts by itself.
+     */
+    default void progress() {
+    }
 
     /** A new signal that threads of this program can wait for. */
     Signal newSignal();

@@ -34,7 +34,7 @@ public interface VirtualMachine {
     /** {@code Thread.holdsLock}. */
     boolean holdsMonitor(Object lock);
 
-    /** The program's thread object of the running fibre. */
+    /** The program's thread object of the running fibre; null before the first one runs. */
     Thread currentThread();
 
     /** {@code Thread.start} of a program thread; never switches fibres. */

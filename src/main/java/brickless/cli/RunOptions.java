@@ -1,0 +1,160 @@
+package brickless.cli;
+
+import brickless.program.Program;
+import brickless.program.ProgramException;
+import brickless.program.ProgramFinder;
+import brickless.kernel.BackendChoice;
+import brickless.simulation.Durations;
+import brickless.simulation.Goal;
+import brickless.simulation.Library;
+import brickless.simulation.SimulationSettings;
+import brickless.simulation.StimuliReader;
+import brickless.world.DescriptionException;
+import brickless.world.World;
+import java.io.File;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
+
+/** What the commands that run a program have in common. */
+final class RunOptions {
+    private static final long DEFAULT_LIMIT_MILLIS = 60_000;
+
+    @Parameters(index = "0", paramLabel = "PROGRAM",
+            description = "Class name, .java or .class file, directory of sources or classes, or jar.")
+    String program;
+
+    @Option(names = "--main", paramLabel = "CLASS", description = "Main class, if there are several.")
+    String main;
+
+    @Option(names = {"--classpath", "-cp"}, paramLabel = "PATH", description = "Further directories and jars the program needs.")
+    String classPath = "";
+
+    @Option(names = "--world", paramLabel = "WORLD", defaultValue = "pen", description = "World: SVG file or bundled name (default: pen).")
+    String world;
+
+    @Option(names = "--robot", paramLabel = "ROBOT", defaultValue = "auto",
+            description = "Robot: SVG file, bundled name, or auto = fitted to the program (default).")
+    String robot;
+
+    @Option(names = "--for", paramLabel = "TIME", defaultValue = "60s", converter = PositiveDuration.class,
+            description = "Simulated time limit: 500ms, 60s, 2m (default: 60s).")
+    Duration limit;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of noise and of the program's random numbers (default: 1).")
+    long seed;
+
+    @Option(names = "--schedule-seed", paramLabel = "N", description = "Runs the threads in a random order given by this seed.")
+    Long scheduleSeed;
+
+    @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
+    Path stimuli;
+
+    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonsConverter.class,
+            description = "auto: keys the program waits for are pressed; none: never (default: auto).")
+    Buttons buttons;
+
+    @Option(names = "--until", paramLabel = "GOAL", converter = GoalConverter.class,
+            description = "zone:NAME or exit: the run succeeds only if this is reached.")
+    Goal goal;
+
+    @Option(names = "--ideal", description = "No noise, no latency, no slip.")
+    boolean ideal;
+
+    @Option(names = "--backend", paramLabel = "BACKEND", defaultValue = "auto", converter = BackendConverter.class,
+            description = "auto, threads or continuation: how program threads are carried (default: auto).")
+    BackendChoice backend;
+
+    Program findProgram() {
+        List<Path> entries = classPath.isEmpty() ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        try {
+            return new ProgramFinder(Path.of("").toAbsolutePath(), entries, Optional.ofNullable(main)).find(program);
+        } catch (ProgramException e) {
+            throw new UsageException(e.getMessage());
+        }
+    }
+
+    SimulationSettings settings() {
+        Library library = new Library(Path.of(""));
+        try {
+            World arena = library.world(world);
+            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(world).seed(seed).limit(limit).ideal(ideal)
+                    .pressButtons(buttons == Buttons.AUTO).backend(backend).goal(Optional.ofNullable(goal))
+                    .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
+            if (!robot.equals("auto")) {
+                settings.robot(library.robot(robot));
+            }
+            if (stimuli != null) {
+                settings.stimuli(StimuliReader.read(stimuli));
+            }
+            return settings.build();
+        } catch (DescriptionException e) {
+            throw new UsageException(e.getMessage());
+        }
+    }
+
+    /** The command that runs the same again, without a schedule seed. */
+    String commandLine() {
+        StringBuilder words = new StringBuilder("brickless run ").append(program);
+        append(words, "--main", main);
+        append(words, "--classpath", classPath.isEmpty() ? null : classPath);
+        append(words, "--world", world.equals("pen") ? null : world);
+        append(words, "--robot", robot.equals("auto") ? null : robot);
+        append(words, "--for", limit.toMillis() == DEFAULT_LIMIT_MILLIS ? null : limit.toMillis() + "ms");
+        append(words, "--seed", seed == 1 ? null : String.valueOf(seed));
+        append(words, "--stimuli", stimuli == null ? null : stimuli.toString());
+        append(words, "--buttons", buttons == Buttons.AUTO ? null : "none");
+        append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
+        return words.append(ideal ? " --ideal" : "").toString();
+    }
+
+    private static void append(StringBuilder words, String option, String value) {
+        if (value != null) {
+            words.append(' ').append(option).append(' ').append(value.contains(" ") ? "'" + value + "'" : value);
+        }
+    }
+
+    private static final class PositiveDuration implements ITypeConverter<Duration> {
+        @Override public Duration convert(String value) {
+            return Durations.parse(value).filter(duration -> !duration.isZero())
+                    .orElseThrow(() -> new TypeConversionException("'" + value + "' is no time above zero; allowed: 500ms, 60s, 2m"));
+        }
+    }
+
+    private static final class GoalConverter implements ITypeConverter<Goal> {
+        @Override public Goal convert(String value) {
+            return Goal.parse(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no goal; allowed: zone:NAME, exit"));
+        }
+    }
+
+    /** Who presses the keys that a program waits for. */
+    enum Buttons { AUTO, NONE }
+
+    private static final class ButtonsConverter implements ITypeConverter<Buttons> {
+        @Override public Buttons convert(String value) {
+            return switch (value) {
+                case "auto" -> Buttons.AUTO;
+                case "none" -> Buttons.NONE;
+                default -> throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
+            };
+        }
+    }
+
+    private static final class BackendConverter implements ITypeConverter<BackendChoice> {
+        @Override public BackendChoice convert(String value) {
+            return switch (value) {
+                case "auto" -> BackendChoice.AUTO;
+                case "threads" -> BackendChoice.THREADS;
+                case "continuation" -> BackendChoice.CONTINUATIONS;
+                default -> throw new TypeConversionException("'" + value + "' is no back-end; allowed: auto, threads, continuation");
+            };
+        }
+    }
+}

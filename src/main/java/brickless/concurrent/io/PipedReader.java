@@ -1,0 +1,93 @@
+package brickless.concurrent.io;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.util.Objects;
+
+/** {@code java.io.PipedReader} on virtual monitors. */
+public class PipedReader extends Reader {
+    private static final int PIPE_SIZE = 1024;
+
+    private final Pipe pipe;
+    private final char[] ring;
+
+    /** Creates a stream that reads what is written to {@code src}. */
+    public PipedReader(PipedWriter src) throws IOException {
+        this(src, PIPE_SIZE);
+    }
+
+    /** Creates a stream that reads what is written to {@code src}, with room for that much. */
+    public PipedReader(PipedWriter src, int pipeSize) throws IOException {
+        this(pipeSize);
+        connect(src);
+    }
+
+    /** Creates a stream that is not connected yet. */
+    public PipedReader() {
+        this(PIPE_SIZE);
+    }
+
+    /** Creates a stream that is not connected yet, with room for that much. */
+    public PipedReader(int pipeSize) {
+        pipe = new Pipe(pipeSize);
+        ring = new char[pipeSize];
+    }
+
+    /** Connects both ends; IOException if either is connected. */
+    public void connect(PipedWriter src) throws IOException {
+        src.connect(this);
+    }
+
+    final Pipe pipe() {
+        return pipe;
+    }
+
+    /** Stores what the other end writes, waiting for room. */
+    void receive(int c) throws IOException {
+        synchronized (pipe) {
+            ring[pipe.awaitPlace()] = (char) c;
+            pipe.written();
+        }
+    }
+
+    @Override
+    public int read() throws IOException {
+        synchronized (pipe) {
+            int place = pipe.awaitContent();
+            if (place < 0) {
+                return -1;
+            }
+            int value = ring[place];
+            pipe.read();
+            return value;
+        }
+    }
+
+    /** Waits for the first char, then reads what is there. */
+    @Override
+    public int read(char[] cbuf, int off, int len) throws IOException {
+        Objects.checkFromIndexSize(off, len, cbuf.length);
+        synchronized (pipe) {
+            int count = 0;
+            while (count < len && (count == 0 || pipe.filled() > 0)) {
+                int value = read();
+                if (value < 0) {
+                    return -1;
+                }
+                cbuf[off + count] = (char) value;
+                count++;
+            }
+            return count;
+        }
+    }
+
+    @Override
+    public boolean ready() throws IOException {
+        return pipe.available() > 0;
+    }
+
+    @Override
+    public void close() {
+        pipe.closeReader();
+    }
+}

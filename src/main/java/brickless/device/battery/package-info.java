@@ -1,0 +1,2 @@
+/** The battery model. May use: {@code brickless.hardware}, {@code brickless.kernel}. */
+package brickless.device.battery;

@@ -1,0 +1,195 @@
+package brickless.kernel;
+
+import brickless.kernel.hooks.ProgramKilled;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+
+/**
+ * Each fibre is a continuation; one host thread, the carrier, runs them all.
+ *
+ * <p>A stack with a native frame on it (a static initialiser, reflection) or a JVM monitor held cannot be left. Such
+ * a fibre keeps its carrier, which parks, and another carrier runs the others until its turn comes: for that time it
+ * is what {@link ThreadBackend} makes of every fibre. Exactly one carrier has the turn; it owns all fields that are
+ * not volatile.
+ */
+final class ContinuationBackend implements Backend {
+    private final long stackBytes;
+    private final CountDownLatch over = new CountDownLatch(1);
+    private final Set<Carrier> carriers = ConcurrentHashMap.newKeySet();
+    private final Deque<Carrier> idle = new ArrayDeque<>();
+    private Consumer<Throwable> onFailure;
+    /** Who runs next, null when the run is over. */
+    private Fibre next;
+    private volatile boolean ended;
+    private volatile boolean abandoned;
+
+    ContinuationBackend(long stackBytes) {
+        this.stackBytes = stackBytes;
+    }
+
+    @Override
+    public String name() {
+        return "continuation";
+    }
+
+    @Override
+    public void create(Fibre fibre) {
+        fibre.stack = new Strand(fibre, Thread.currentThread() instanceof Carrier);
+    }
+
+    @Override
+    public void start(Fibre first, Consumer<Throwable> failureListener) {
+        onFailure = failureListener;
+        next = first;
+        give(new Carrier());
+    }
+
+    @Override
+    public void awaitEnd() throws InterruptedException {
+        over.await();
+        if (!abandoned) {
+            for (Carrier carrier : carriers) {
+                carrier.join();
+            }
+        }
+    }
+
+    @Override
+    public void switchTo(Fibre from, Fibre to) {
+        next = to;
+        if (!ContinuationAccess.yield()) {
+            waitPinned(strandOf(from));
+        }
+    }
+
+    @Override
+    public void finish(Fibre from, Fibre to) {
+        next = to;
+    }
+
+    @Override
+    public StackTraceElement[] stackOf(Fibre fibre) {
+        Strand strand = strandOf(fibre);
+        Carrier carrier = strand.mountedOn;
+        return carrier != null ? carrier.getStackTrace() : ContinuationAccess.stackOf(strand.continuation);
+    }
+
+    @Override
+    public void abandon() {
+        abandoned = true;
+        endRun();
+    }
+
+    private static Strand strandOf(Fibre fibre) {
+        return (Strand) fibre.stack;
+    }
+
+    /** The calling fibre cannot leave its carrier: another one goes on with the others. */
+    private void waitPinned(Strand strand) {
+        Carrier carrier = strand.mountedOn;
+        strand.pinned = true;
+        Carrier other = strandOf(next).pinned ? strandOf(next).mountedOn : spareCarrier();
+        give(other);
+        carrier.turn.await();
+        strand.pinned = false;
+        if (ended) {
+            throw new ProgramKilled();
+        }
+    }
+
+    private Carrier spareCarrier() {
+        return idle.isEmpty() ? new Carrier() : idle.pop();
+    }
+
+    private void give(Carrier carrier) {
+        try {
+            carrier.turn.give();
+        } catch (OutOfMemoryError e) {
+            // The host has no thread left; the program must not take this for its own memory.
+            onFailure.accept(e);
+        }
+    }
+
+    private void endRun() {
+        ended = true;
+        carriers.forEach(carrier -> carrier.turn.release());
+        over.countDown();
+    }
+
+    /** A fibre's continuation with the thread locals it takes along. */
+    private static final class Strand {
+        private final Object continuation;
+        private final ClassLoader contextLoader;
+        private Object locals;
+        private Object inheritableLocals;
+        private boolean pinned;
+        /** Read by the watchdog. */
+        private volatile Carrier mountedOn;
+
+        Strand(Fibre fibre, boolean inheritThreadLocals) {
+            continuation = ContinuationAccess.create(fibre::run);
+            contextLoader = fibre.contextLoader;
+            // A thread that is never started, but whose constructor inherits like any other's.
+            Thread heir = new Thread(null, null, "heir", 0, inheritThreadLocals);
+            inheritableLocals = ContinuationAccess.inheritableLocals(heir);
+        }
+
+        /** Runs on a carrier until the fibre is switched away from or ends. */
+        void mount(Carrier carrier) {
+            mountedOn = carrier;
+            if (carrier.getContextClassLoader() != contextLoader) {
+                carrier.setContextClassLoader(contextLoader);
+            }
+            ContinuationAccess.setLocals(carrier, locals, inheritableLocals);
+            try {
+                ContinuationAccess.run(continuation);
+            } finally {
+                locals = ContinuationAccess.locals(carrier);
+                inheritableLocals = ContinuationAccess.inheritableLocals(carrier);
+                ContinuationAccess.setLocals(carrier, null, null);
+                mountedOn = null;
+            }
+        }
+    }
+
+    /** A host thread that runs continuations while it has the turn. */
+    private final class Carrier extends Thread {
+        private final Turn turn = new Turn(this);
+
+        Carrier() {
+            super(null, null, "brickless carrier", stackBytes, false);
+            setDaemon(true);
+            carriers.add(this);
+        }
+
+        @Override
+        public void run() {
+            try {
+                turn.await();
+                runFibres();
+            } catch (Throwable e) {
+                onFailure.accept(e);
+            } finally {
+                carriers.remove(this);
+            }
+        }
+
+        private void runFibres() {
+            while (!ended) {
+                if (next == null) {
+                    endRun();
+                } else if (strandOf(next).pinned) {
+                    idle.push(this);
+                    give(strandOf(next).mountedOn);
+                    turn.await();
+                } else {
+                    strandOf(next).mount(this);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+package brickless.kernel;
+
+import brickless.kernel.hooks.ProgramKilled;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+
+/**
+ * One platform thread for each fibre; exactly one has the turn, all others are parked.
+ *
+ * <p>The carrier that gave the turn away last spins for a moment before it parks, because threads often come back at
+ * once (waking a parked thread costs some 20 µs, a spinning one less than 1 µs).
+ */
+final class ThreadBackend implements Backend {
+    /** About as long as waking takes. */
+    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 500 : 0;
+
+    private final long stackBytes;
+    private final CountDownLatch over = new CountDownLatch(1);
+    private final Set<Carrier> carriers = ConcurrentHashMap.newKeySet();
+    private Consumer<Throwable> onFailure;
+    private volatile Carrier lastLeft;
+    private volatile boolean abandoned;
+
+    ThreadBackend(long stackBytes) {
+        this.stackBytes = stackBytes;
+    }
+
+    @Override
+    public String name() {
+        return "threads";
+    }
+
+    @Override
+    public void create(Fibre fibre) {
+        fibre.stack = new Carrier(fibre, Thread.currentThread() instanceof Carrier);
+    }
+
+    @Override
+    public void start(Fibre first, Consumer<Throwable> failureListener) {
+        onFailure = failureListener;
+        give(first);
+    }
+
+    @Override
+    public void awaitEnd() throws InterruptedException {
+        over.await();
+        if (!abandoned) {
+            for (Carrier carrier : carriers) {
+                carrier.join();
+            }
+        }
+    }
+
+    @Override
+    public void switchTo(Fibre from, Fibre to) {
+        Carrier me = carrierOf(from);
+        lastLeft = me;
+        give(to);
+        for (int i = 0; i < SPINS && lastLeft == me && !me.turn.given(); i++) {
+            Thread.onSpinWait();
+        }
+        me.turn.await();
+        if (abandoned) {
+            throw new ProgramKilled();
+        }
+    }
+
+    @Override
+    public void finish(Fibre from, Fibre to) {
+        lastLeft = null;
+        if (to == null) {
+            over.countDown();
+        } else {
+            give(to);
+        }
+    }
+
+    @Override
+    public StackTraceElement[] stackOf(Fibre fibre) {
+        return carrierOf(fibre).getStackTrace();
+    }
+
+    @Override
+    public void abandon() {
+        abandoned = true;
+        carriers.forEach(carrier -> carrier.turn.release());
+        over.countDown();
+    }
+
+    private void give(Fibre fibre) {
+        try {
+            carrierOf(fibre).turn.give();
+        } catch (OutOfMemoryError e) {
+            // The host has no thread left; the program must not take this for its own memory.
+            onFailure.accept(e);
+        }
+    }
+
+    private static Carrier carrierOf(Fibre fibre) {
+        return (Carrier) fibre.stack;
+    }
+
+    /** The host thread of one fibre; started when the fibre first gets the turn. */
+    private final class Carrier extends Thread {
+        private final Fibre fibre;
+        private final Turn turn = new Turn(this);
+
+        Carrier(Fibre fibre, boolean inheritThreadLocals) {
+            super(null, null, "brickless " + fibre.thread.getName(), stackBytes, inheritThreadLocals);
+            this.fibre = fibre;
+            setDaemon(true);
+            setContextClassLoader(fibre.contextLoader);
+        }
+
+        @Override
+        public void run() {
+            carriers.add(this);
+            try {
+                turn.await();
+                if (!abandoned) {
+                    fibre.run();
+                }
+            } catch (Throwable e) {
+                onFailure.accept(e);
+            } finally {
+                carriers.remove(this);
+            }
+        }
+    }
+}

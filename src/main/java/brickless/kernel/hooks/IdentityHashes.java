@@ -1,0 +1,102 @@
+package brickless.kernel.hooks;
+
+import java.lang.ref.Reference;
+import java.lang.ref.ReferenceQueue;
+import java.lang.ref.WeakReference;
+import java.util.HashMap;
+import java.util.Map;
+
+/** Sequential identity hashes: the host's differ from run to run. Per robot. */
+public final class IdentityHashes {
+    private static final Map<Class<?>, Boolean> WITHOUT_OWN_HASH = new HashMap<>();
+    private static final Map<Object, Integer> OF_JDK_OBJECTS = new HashMap<>();
+    private static final ReferenceQueue<Object> COLLECTED = new ReferenceQueue<>();
+
+    private IdentityHashes() {}
+
+    /** The hash that a program object keeps: {@code drawn} if it has one, else the next. */
+    public static int orNext(int drawn) {
+        return drawn != 0 ? drawn : Hooks.machine().nextIdentityHash();
+    }
+
+    /** {@code System.identityHashCode(object)}. */
+    public static int identityHashCode(Object object) {
+        if (object == null) {
+            return 0;
+        }
+        return object instanceof IdentityHashed ? ((IdentityHashed) object).bricklessIdentityHash() : ofJdkObject(object);
+    }
+
+    /** {@code object.hashCode()}, where that would be the host's identity hash: a sequential one. */
+    public static int hashCode(Object object) {
+        if (object instanceof Enum) {
+            return ((Enum<?>) object).name().hashCode();
+        }
+        if (object instanceof Class) {
+            return ((Class<?>) object).getName().hashCode();
+        }
+        if (object instanceof IdentityHashed || !hasIdentityHash(object.getClass())) {
+            return object.hashCode();
+        }
+        return ofJdkObject(object);
+    }
+
+    /** {@code Objects.hashCode(object)}. */
+    public static int hashCodeOrZero(Object object) {
+        return object == null ? 0 : hashCode(object);
+    }
+
+    /** {@code Objects.hash(values)} and {@code Arrays.hashCode(values)}. */
+    public static int hash(Object[] values) {
+        if (values == null) {
+            return 0;
+        }
+        int result = 1;
+        for (Object value : values) {
+            result = 31 * result + hashCodeOrZero(value);
+        }
+        return result;
+    }
+
+    private static synchronized boolean hasIdentityHash(Class<?> type) {
+        return WITHOUT_OWN_HASH.computeIfAbsent(type, IdentityHashes::inheritsObjectHash);
+    }
+
+    /** Program classes that have none implement {@link IdentityHashed}; lambdas and JDK classes are asked. */
+    private static boolean inheritsObjectHash(Class<?> type) {
+        if (type.getClassLoader() == IdentityHashes.class.getClassLoader() && !type.isHidden()) {
+            return false;
+        }
+        try {
+            return type.getMethod("hashCode").getDeclaringClass() == Object.class;
+        } catch (NoSuchMethodException impossible) {
+            throw new LinkageError(type.getName(), impossible);
+        }
+    }
+
+    private static synchronized int ofJdkObject(Object object) {
+        for (Reference<?> gone = COLLECTED.poll(); gone != null; gone = COLLECTED.poll()) {
+            OF_JDK_OBJECTS.remove(gone);
+        }
+        return OF_JDK_OBJECTS.computeIfAbsent(new WeakIdentity(object), key -> Hooks.machine().nextIdentityHash());
+    }
+
+    private static final class WeakIdentity extends WeakReference<Object> {
+        private final int hash;
+
+        WeakIdentity(Object object) {
+            super(object, COLLECTED);
+            hash = System.identityHashCode(object);
+        }
+
+        @Override
+        public int hashCode() {
+            return hash;
+        }
+
+        @Override
+        public boolean equals(Object other) {
+            return this == other || other instanceof WeakIdentity && get() != null && ((WeakIdentity) other).get() == get();
+        }
+    }
+}

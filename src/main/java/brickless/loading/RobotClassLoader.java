@@ -1,0 +1,179 @@
+package brickless.loading;
+
+import brickless.kernel.hooks.Budget;
+import brickless.kernel.hooks.VirtualMachine;
+import brickless.loading.LoadingRules.Treatment;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URL;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.List;
+
+/**
+ * The class loader of one robot: defines its program, leJOS and the robot's own hooks anew, rewritten as {@link LoadingRules} say, and takes
+ * everything else from the application.
+ *
+ * <p>Create one per robot and run, {@link #bind} it to a kernel before any class of the program is used, run {@link #mainThread} on it, and
+ * {@link #close} it afterwards. Nothing outside refers to it then, so that its classes can be collected. Thread-safe.
+ */
+public final class RobotClassLoader extends ClassLoader implements Closeable {
+    private static final String NAME = "robot";
+
+    private final LoadingRules rules;
+    private final ClassLoader application;
+    private final ClassSource applicationClasses;
+    private final ClassSource programClasses;
+    private final ClassCatalog catalog;
+    private final ClassRewriter rewriter;
+
+    private RobotClassLoader(ClassLoader application, ClassSource programClasses, LoadingRules rules) {
+        super(NAME, getPlatformClassLoader());
+        this.rules = rules;
+        this.application = application;
+        this.applicationClasses = new LoaderClassSource(application);
+        this.programClasses = programClasses;
+        JdkReplacements replacements = JdkReplacements.standard();
+        catalog = new ClassCatalog(this::rewritable, replacements);
+        rewriter = new ClassRewriter(catalog, replacements);
+    }
+
+    /**
+     * A loader for a program in directories and jars.
+     *
+     * @throws IOException if one of them does not exist or is no readable jar; the message names it
+     */
+    public static RobotClassLoader ofPaths(List<Path> classPath) throws IOException {
+        return ofPaths(classPath, LoadingRules.standard());
+    }
+
+    /** Like {@link #ofPaths(List)} with other rules. */
+    public static RobotClassLoader ofPaths(List<Path> classPath, LoadingRules rules) throws IOException {
+        return new RobotClassLoader(RobotClassLoader.class.getClassLoader(), new PathClassSource(classPath), rules);
+    }
+
+    /** A loader for a program on the application's own class path, as in JUnit tests; see {@link #ofApplication(ClassLoader, LoadingRules)}. */
+    public static RobotClassLoader ofApplication() {
+        return ofApplication(RobotClassLoader.class.getClassLoader(), LoadingRules.standard());
+    }
+
+    /**
+     * A loader for a program whose class files another loader can read.
+     *
+     * @param application the loader that reads them and supplies the shared classes
+     * @param rules who is rewritten
+     */
+    public static RobotClassLoader ofApplication(ClassLoader application, LoadingRules rules) {
+        return new RobotClassLoader(application, new LoaderClassSource(application), rules);
+    }
+
+    /**
+     * Connects this robot's hooks to its kernel; null disconnects them. Without a kernel rewritten classes behave as plain ones.
+     *
+     * @return the kernel's access to the robot's budget counters
+     */
+    public Budget bind(VirtualMachine kernel) {
+        return ProgramEntry.bind(this, kernel);
+    }
+
+    /**
+     * The program's main thread, not started: the kernel runs it as its first fibre. Call after {@link #bind}. The body initialises the class
+     * and calls {@code main}; exceptions of the program come out of it as they are.
+     *
+     * @param mainClass binary name of a class with a {@code public static void main(String[])}
+     */
+    public Thread mainThread(String mainClass, String... arguments) {
+        return programThread("main", () -> ProgramEntry.callMain(this, mainClass, arguments));
+    }
+
+    /** Any other first thread of a program, not started; {@code body} may use the robot's classes. Call after {@link #bind}. */
+    public Thread programThread(String name, Runnable body) {
+        return ProgramEntry.newThread(this, body, name);
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> type = findLoadedClass(name);
+            if (type == null) {
+                type = rules.of(name) == Treatment.SHARED ? loadShared(name) : findClass(name);
+            }
+            if (resolve) {
+                resolveClass(type);
+            }
+            return type;
+        }
+    }
+
+    private Class<?> loadShared(String name) throws ClassNotFoundException {
+        try {
+            return application.loadClass(name);
+        } catch (ClassNotFoundException absent) {
+            return findClass(name);
+        }
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+        ClassFile file = locate(name);
+        if (file == null) {
+            throw new ClassNotFoundException(name);
+        }
+        byte[] bytes = rules.of(name) == Treatment.PER_ROBOT_PLAIN ? file.bytes() : rewritten(name.replace('.', '/'), file);
+        return defineClass(name, bytes, 0, bytes.length);
+    }
+
+    private synchronized byte[] rewritten(String internalName, ClassFile file) {
+        String key = RewrittenClassCache.key(file.bytes());
+        byte[] known = RewrittenClassCache.shared().find(key, catalog::summary);
+        if (known != null) {
+            return known;
+        }
+        catalog.takeConsulted();
+        byte[] bytes = rewriter.rewrite(file, internalName);
+        RewrittenClassCache.shared().store(key, bytes, catalog.takeConsulted());
+        return bytes;
+    }
+
+    private ClassFile locate(String name) {
+        String internalName = name.replace('.', '/');
+        ClassFile file = rules.isOurs(name) ? applicationClasses.find(internalName) : null;
+        return file == null ? programClasses.find(internalName) : file;
+    }
+
+    /** The file of a class that is rewritten; null for any other class. */
+    private ClassFile rewritable(String internalName) {
+        String name = internalName.replace('/', '.');
+        return rules.of(name) == Treatment.PER_ROBOT_REWRITTEN ? locate(name) : null;
+    }
+
+    @Override
+    public URL getResource(String path) {
+        Enumeration<URL> all = getResources(path);
+        return all.hasMoreElements() ? all.nextElement() : null;
+    }
+
+    @Override
+    public Enumeration<URL> getResources(String path) {
+        List<URL> all = new ArrayList<>();
+        try {
+            all.addAll(programClasses.resources(path));
+            all.addAll(Collections.list(getPlatformClassLoader().getResources(path)));
+            if (all.isEmpty() && rules.isOurs(path.replace('/', '.'))) {
+                all.addAll(applicationClasses.resources(path));
+            }
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException("resource " + path, unreadable);
+        }
+        return Collections.enumeration(all);
+    }
+
+    /** Closes the program's jars. Classes that are loaded stay usable. */
+    @Override
+    public void close() throws IOException {
+        programClasses.close();
+    }
+}

@@ -1,0 +1,191 @@
+package brickless.loading.hints;
+
+import java.util.List;
+import java.util.Map;
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.Type;
+import org.objectweb.asm.tree.AbstractInsnNode;
+import org.objectweb.asm.tree.FieldInsnNode;
+import org.objectweb.asm.tree.IntInsnNode;
+import org.objectweb.asm.tree.LdcInsnNode;
+import org.objectweb.asm.tree.MethodInsnNode;
+import org.objectweb.asm.tree.TypeInsnNode;
+import org.objectweb.asm.tree.analysis.Interpreter;
+
+/** Interprets one method symbolically; what it finds goes into {@link Facts}. */
+final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
+    private final Facts facts;
+    private final LejosCalls calls;
+    private final String method;
+    private final Map<AbstractInsnNode, Integer> places;
+    private int parameter;
+
+    HintInterpreter(Facts facts, String method, Map<AbstractInsnNode, Integer> places) {
+        super(ASM9);
+        this.facts = facts;
+        this.calls = new LejosCalls(facts);
+        this.method = method;
+        this.places = places;
+    }
+
+    @Override public Clue newValue(Type type) {
+        return type == Type.VOID_TYPE ? null : Clue.unknown(type == null ? 1 : type.getSize());
+    }
+
+    @Override public Clue newParameterValue(boolean isInstanceMethod, int local, Type type) {
+        if (isInstanceMethod && local == 0) {
+            return newValue(type);
+        }
+        Clue known = facts.at(method + "#" + parameter++);
+        return known == null || known.size() != type.getSize() ? newValue(type) : known;
+    }
+
+    @Override public Clue newOperation(AbstractInsnNode instruction) {
+        int opcode = instruction.getOpcode();
+        if (opcode >= ICONST_M1 && opcode <= ICONST_5) {
+            return Clue.number(1, opcode - ICONST_0);
+        }
+        if (opcode == LCONST_0 || opcode == LCONST_1) {
+            return Clue.number(2, opcode - LCONST_0);
+        }
+        if (opcode >= FCONST_0 && opcode <= FCONST_2) {
+            return Clue.number(1, opcode - FCONST_0);
+        }
+        if (opcode == DCONST_0 || opcode == DCONST_1) {
+            return Clue.number(2, opcode - DCONST_0);
+        }
+        if (instruction instanceof IntInsnNode push) {
+            return Clue.number(1, push.operand);
+        }
+        if (instruction instanceof LdcInsnNode constant) {
+            return ofConstant(constant.cst);
+        }
+        if (opcode == GETSTATIC) {
+            return field((FieldInsnNode) instruction);
+        }
+        return opcode == NEW ? Clue.object(((TypeInsnNode) instruction).desc, places.get(instruction)) : Clue.unknown(1);
+    }
+
+    static Clue ofConstant(Object constant) {
+        if (constant instanceof Number number) {
+            return Clue.number(number instanceof Double || number instanceof Long ? 2 : 1, number.doubleValue());
+        }
+        return constant instanceof String text ? Clue.text(text) : Clue.unknown(1);
+    }
+
+    private Clue field(FieldInsnNode access) {
+        Clue brick = LejosCalls.constant(access.owner, access.name);
+        if (brick != null) {
+            return brick;
+        }
+        Clue known = facts.at(access.owner + "." + access.name);
+        int size = Type.getType(access.desc).getSize();
+        return known == null || known.size() != size ? Clue.unknown(size) : known;
+    }
+
+    @Override public Clue copyOperation(AbstractInsnNode instruction, Clue value) {
+        return resolved(value);
+    }
+
+    private Clue resolved(Clue value) {
+        if (value.kind() != Clue.Kind.OBJECT) {
+            return value;
+        }
+        Clue made = facts.at(method + "@" + value.origin());
+        return made == null ? value : made;
+    }
+
+    @Override public Clue unaryOperation(AbstractInsnNode instruction, Clue value) {
+        switch (instruction.getOpcode()) {
+            case INEG, FNEG, LNEG, DNEG:
+                return arithmetic(value.size(), -value.number());
+            case I2L, I2D, F2D, F2L, L2D, D2L:
+                return arithmetic(instruction.getOpcode() == L2D || instruction.getOpcode() == D2L ? 2 : 2, value.number());
+            case I2F, L2I, L2F, F2I, D2I, D2F:
+                return arithmetic(1, value.number());
+            case CHECKCAST:
+                return resolved(value);
+            case PUTSTATIC:
+                put((FieldInsnNode) instruction, value);
+                return null;
+            case GETFIELD:
+                return field((FieldInsnNode) instruction);
+            default:
+                return Clue.unknown(1);
+        }
+    }
+
+    private void put(FieldInsnNode access, Clue value) {
+        Clue known = resolved(value);
+        facts.learn(access.owner + "." + access.name, known);
+        facts.named(known, access.name);
+    }
+
+    private static Clue arithmetic(int size, double value) {
+        return Double.isNaN(value) ? Clue.unknown(size) : Clue.number(size, value);
+    }
+
+    @Override public Clue binaryOperation(AbstractInsnNode instruction, Clue a, Clue b) {
+        switch (instruction.getOpcode()) {
+            case IADD, FADD, LADD, DADD:
+                return arithmetic(a.size(), a.number() + b.number());
+            case ISUB, FSUB, LSUB, DSUB:
+                return arithmetic(a.size(), a.number() - b.number());
+            case IMUL, FMUL, LMUL, DMUL:
+                return arithmetic(a.size(), a.number() * b.number());
+            case FDIV, DDIV:
+                return arithmetic(a.size(), a.number() / b.number());
+            case PUTFIELD:
+                put((FieldInsnNode) instruction, b);
+                return null;
+            case LALOAD, DALOAD:
+                return Clue.unknown(2);
+            default:
+                return Clue.unknown(instruction.getOpcode() == LREM || instruction.getOpcode() == DREM || instruction.getOpcode() == LDIV ? 2 : wide(a));
+        }
+    }
+
+    private static int wide(Clue value) {
+        return value.size();
+    }
+
+    @Override public Clue ternaryOperation(AbstractInsnNode instruction, Clue a, Clue b, Clue c) {
+        return null;
+    }
+
+    @Override public Clue naryOperation(AbstractInsnNode instruction, List<? extends Clue> values) {
+        if (!(instruction instanceof MethodInsnNode call)) {
+            return Clue.unknown(1);
+        }
+        List<Clue> arguments = values.stream().map(this::resolved).toList();
+        int first = call.getOpcode() == INVOKESTATIC ? 0 : 1;
+        for (int i = first; i < arguments.size(); i++) {
+            facts.learn(call.owner + "." + call.name + call.desc + "#" + (i - first), arguments.get(i));
+        }
+        if (call.name.equals("<init>")) {
+            Clue made = calls.constructed(call, arguments);
+            if (made != null && values.get(0).kind() == Clue.Kind.OBJECT) {
+                facts.learn(method + "@" + values.get(0).origin(), made);
+            }
+            return null;
+        }
+        Clue answer = calls.returned(call, arguments);
+        if (answer == null) {
+            answer = facts.at(call.owner + "." + call.name + call.desc);
+        }
+        int size = Type.getReturnType(call.desc).getSize();
+        return size == 0 ? null : answer == null || answer.size() != size ? Clue.unknown(size) : answer;
+    }
+
+    @Override public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {
+        facts.learn(method, resolved(value));
+    }
+
+    @Override public Clue merge(Clue a, Clue b) {
+        if (a.equals(b)) {
+            return a;
+        }
+        Clue either = a.or(b);
+        return either.size() == Math.min(a.size(), b.size()) ? either : Clue.unknown(1);
+    }
+}

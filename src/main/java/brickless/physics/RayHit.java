@@ -1,0 +1,35 @@
+package brickless.physics;
+
+/** What a ray met first. Mutable so that casting allocates nothing. */
+public final class RayHit {
+    private double distance;
+    private double incidence;
+    private Solid solid;
+
+    void clear() {
+        distance = Double.POSITIVE_INFINITY;
+        incidence = 0;
+        solid = null;
+    }
+
+    void set(double distanceMetres, double incidenceRadians, Solid hit) {
+        distance = distanceMetres;
+        incidence = incidenceRadians;
+        solid = hit;
+    }
+
+    /** Distance from the ray's origin in metres, infinite if nothing was met. */
+    public double distanceMetres() {
+        return distance;
+    }
+
+    /** Angle between the ray and the surface normal, 0 (head on) to π/2. */
+    public double incidenceRadians() {
+        return incidence;
+    }
+
+    /** What was hit, null if nothing. */
+    public Solid solid() {
+        return solid;
+    }
+}

@@ -1,0 +1,29 @@
+package brickless.physics;
+
+import brickless.world.RobotModel.Turret;
+
+/** A turret of a robot: the angle at which it stands, and its body if it has an outline. */
+final class Turntable {
+    final Turret description;
+    final Shaft shaft;
+    /** Turret radians (clockwise) per motor radian: motors turn turrets to the left when they run forward, unless inverted. */
+    final double ratio;
+    /** The body that turns, or null for a turret without an outline. */
+    final org.jbox2d.dynamics.Body body;
+
+    Turntable(Turret description, Shaft shaft, org.jbox2d.dynamics.Body body) {
+        this.description = description;
+        this.shaft = shaft;
+        this.body = body;
+        this.ratio = ratio(description);
+    }
+
+    static double ratio(Turret turret) {
+        return (turret.inverted() ? 1 : -1) / turret.gearRatio();
+    }
+
+    /** Clockwise angle against the robot, radians. */
+    double angleRadians(org.jbox2d.dynamics.Body robot) {
+        return body == null ? shaft.angleRadians() * ratio : (double) body.getAngle() - robot.getAngle();
+    }
+}

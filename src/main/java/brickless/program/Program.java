@@ -1,0 +1,51 @@
+package brickless.program;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * A program ready to run.
+ *
+ * @param mainClass binary name of the class with the main method
+ * @param classPath directories and jars with its classes, in order; empty: they are on the application's own class path
+ * @param temporary directory of classes compiled for this run, removed by {@link #close()}
+ */
+public record Program(String mainClass, List<Path> classPath, Optional<Path> temporary) implements AutoCloseable {
+    public Program {
+        classPath = List.copyOf(classPath);
+    }
+
+    /** A program whose classes are on the application's own class path, as in a test. */
+    public static Program onClassPath(String mainClass) {
+        return new Program(mainClass, List.of(), Optional.empty());
+    }
+
+    /** The main class without its package. */
+    public String simpleName() {
+        return mainClass.substring(mainClass.lastIndexOf('.') + 1);
+    }
+
+    Program compiledInto(Path directory) {
+        return new Program(mainClass, classPath, Optional.of(directory));
+    }
+
+    @Override public void close() {
+        temporary.ifPresent(Program::delete);
+    }
+
+    private static void delete(Path directory) {
+        try (Stream<Path> files = Files.walk(directory)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot remove " + directory, e);
+        }
+    }
+}

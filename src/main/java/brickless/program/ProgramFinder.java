@@ -1,0 +1,172 @@
+package brickless.program;
+
+import brickless.loading.MainClasses;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.jar.JarFile;
+import java.util.jar.Manifest;
+import java.util.stream.Stream;
+
+/**
+ * Turns what a user typed into a {@link Program}: a class name, a {@code .java} or {@code .class} file, a directory of sources or classes,
+ * or a jar.
+ */
+public final class ProgramFinder {
+    private final List<Path> classPath;
+    private final Optional<String> wantedMain;
+    private final Path directory;
+
+    /**
+     * Creates a finder.
+     *
+     * @param directory directory that relative names refer to
+     * @param classPath further directories and jars the program needs
+     * @param wantedMain main class chosen by the user
+     */
+    public ProgramFinder(Path directory, List<Path> classPath, Optional<String> wantedMain) {
+        this.directory = directory;
+        this.classPath = List.copyOf(classPath);
+        this.wantedMain = wantedMain;
+    }
+
+    /**
+     * Finds (and where needed compiles) a program.
+     *
+     * @throws ProgramException with a message for the user if there is no such program or it does not compile
+     */
+    public Program find(String name) throws ProgramException {
+        for (Path entry : classPath) {
+            if (!Files.exists(directory.resolve(entry))) {
+                throw new ProgramException(entry + ": no such class path entry");
+            }
+        }
+        try {
+            Path path = directory.resolve(name);
+            if (!Files.exists(path)) {
+                return byClassName(name);
+            }
+            if (Files.isDirectory(path)) {
+                return fromDirectory(path, name);
+            }
+            if (name.endsWith(".java")) {
+                return fromSource(path, name);
+            }
+            if (name.endsWith(".jar")) {
+                return fromJar(path, name);
+            }
+            if (name.endsWith(".class")) {
+                return fromClassFile(path, name);
+            }
+            throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a directory or a .jar");
+        } catch (IOException e) {
+            throw new ProgramException(name + ": cannot be read: " + e.getMessage());
+        }
+    }
+
+    private Program byClassName(String name) throws ProgramException, IOException {
+        boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar") || name.endsWith(".class");
+        if (!looksLikeFile) {
+            for (Path entry : resolvedClassPath()) {
+                if (MainClasses.contains(entry, name)) {
+                    return checked(name, List.of(entry), name);
+                }
+            }
+            if (ClassLoader.getSystemResource(name.replace('.', '/') + ".class") != null) {
+                return Program.onClassPath(wantedMain.orElse(name));
+            }
+        }
+        throw new ProgramException(name + ": no such program: neither a file or directory in " + directory + " nor a class on the class path");
+    }
+
+    private Program fromDirectory(Path path, String name) throws ProgramException, IOException {
+        List<Path> sources = filesEndingIn(path, ".java");
+        if (sources.isEmpty()) {
+            return choose(path, name);
+        }
+        Path target = Files.createTempDirectory("brickless-classes");
+        new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+        return choose(target, name).compiledInto(target);
+    }
+
+    private Program fromSource(Path path, String name) throws ProgramException, IOException {
+        Path target = Files.createTempDirectory("brickless-classes");
+        new SourceCompiler(resolvedClassPath()).compile(List.of(path), SourceCompiler.rootsOf(List.of(path)), target);
+        String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
+        String packageName = SourceCompiler.packageOf(path);
+        String own = packageName.isEmpty() ? simple : packageName + "." + simple;
+        List<String> mains = MainClasses.of(target);
+        if (wantedMain.isEmpty() && mains.contains(own)) {
+            return checked(own, List.of(target), name).compiledInto(target);
+        }
+        return choose(target, name).compiledInto(target);
+    }
+
+    private Program fromJar(Path path, String name) throws ProgramException, IOException {
+        try (JarFile jar = new JarFile(path.toFile())) {
+            Manifest manifest = jar.getManifest();
+            String main = manifest == null ? null : manifest.getMainAttributes().getValue("Main-Class");
+            if (main != null && wantedMain.isEmpty()) {
+                return checked(main.trim(), List.of(path), name);
+            }
+        }
+        return choose(path, name);
+    }
+
+    private Program fromClassFile(Path path, String name) throws ProgramException, IOException {
+        String className = MainClasses.nameOf(Files.readAllBytes(path)).orElseThrow(() -> new ProgramException(name + ": not a class file"));
+        Path root = path.toAbsolutePath().getParent();
+        for (int dots = className.length() - className.replace(".", "").length(); dots > 0 && root != null; dots--) {
+            root = root.getParent();
+        }
+        if (root == null || !Files.exists(root.resolve(className.replace('.', '/') + ".class"))) {
+            throw new ProgramException(name + ": class " + className + " does not lie in the directories of its package");
+        }
+        return checked(wantedMain.orElse(className), List.of(root), name);
+    }
+
+    private Program choose(Path classes, String name) throws ProgramException, IOException {
+        List<String> mains = MainClasses.of(classes);
+        if (wantedMain.isPresent()) {
+            return checked(wantedMain.get(), List.of(classes), name);
+        }
+        if (mains.isEmpty()) {
+            throw new ProgramException(name + ": no class with a public static void main(String[])");
+        }
+        if (mains.size() > 1) {
+            throw new ProgramException(name + ": several main classes, choose one with --main: " + String.join(", ", mains));
+        }
+        return checked(mains.get(0), List.of(classes), name);
+    }
+
+    private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {
+        List<Path> all = new ArrayList<>(entries);
+        all.addAll(resolvedClassPath());
+        boolean found = false;
+        for (Path entry : all) {
+            if (MainClasses.of(entry).contains(main)) {
+                found = true;
+                break;
+            }
+        }
+        if (!found) {
+            List<String> mains = MainClasses.of(entries.get(0));
+            throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
+                    + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
+        }
+        return new Program(main, all, Optional.empty());
+    }
+
+    private List<Path> resolvedClassPath() {
+        return classPath.stream().map(directory::resolve).toList();
+    }
+
+    private static List<Path> filesEndingIn(Path directory, String ending) throws IOException {
+        try (Stream<Path> files = Files.walk(directory)) {
+            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted().toList();
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package brickless.simulation;
+
+import java.util.ArrayDeque;
+import java.util.Queue;
+
+/**
+ * Holds a run at a physics step until whoever drives it lets it go on.
+ *
+ * <p>Two host threads meet here, and only here: the driver (a test, the command line) and the run. While the run is held the driver may read
+ * the robots' state and leave actions to be done when the run goes on. Guarded by this object's monitor.
+ */
+final class Gate {
+    private final Queue<Runnable> actions = new ArrayDeque<>();
+    private long openUntilNanos;
+    private boolean held;
+    private boolean ended;
+    private Throwable failure;
+
+    /** Run: passes the gate, waiting if it is closed at this time, and does what was left to do. */
+    void pass(long nowNanos) {
+        if (nowNanos >= openUntilNanos) {
+            await(nowNanos);
+        }
+    }
+
+    private synchronized void await(long nowNanos) {
+        held = true;
+        notifyAll();
+        boolean interrupted = false;
+        while (nowNanos >= openUntilNanos) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        held = false;
+        for (Runnable action = actions.poll(); action != null; action = actions.poll()) {
+            action.run();
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Run: it is over. */
+    synchronized void end(Throwable problem) {
+        ended = true;
+        failure = problem;
+        notifyAll();
+    }
+
+    /** Driver: lets the run go on until a time and waits until it gets there or ends. */
+    synchronized void advanceTo(long timeNanos) {
+        openUntilNanos = Math.max(openUntilNanos, timeNanos);
+        held = false;
+        notifyAll();
+        awaitHeldOrEnded();
+    }
+
+    private void awaitHeldOrEnded() {
+        boolean interrupted = false;
+        while (!held && !ended) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        if (failure instanceof RuntimeException exception) {
+            throw exception;
+        }
+        if (failure instanceof Error error) {
+            throw error;
+        }
+    }
+
+    /** Driver: leaves something to be done, in the run's thread, when it goes on. */
+    synchronized void leave(Runnable action) {
+        actions.add(action);
+    }
+
+    synchronized boolean ended() {
+        return ended;
+    }
+}

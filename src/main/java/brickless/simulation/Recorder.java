@@ -1,0 +1,66 @@
+package brickless.simulation;
+
+import brickless.trace.PathDrawing;
+import brickless.trace.Sample;
+import brickless.trace.SignalsWriter;
+import brickless.trace.TraceEvent;
+import brickless.trace.TraceHeader;
+import brickless.trace.TraceWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+
+/** Writes down a run: trace with hash always, the other files if there is a folder for them. Used by one thread at a time. */
+final class Recorder {
+    private final Optional<RunFolder> folder;
+    private final TraceWriter trace;
+    private final Optional<SignalsWriter> signals;
+    private final OutputStream console;
+    private final PathDrawing path = new PathDrawing();
+
+    Recorder(Optional<RunFolder> folder, TraceHeader header) {
+        this.folder = folder;
+        trace = new TraceWriter(folder.map(f -> f.open("trace.jsonl")).orElseGet(OutputStream::nullOutputStream), header);
+        signals = folder.map(f -> new SignalsWriter(new OutputStreamWriter(f.open("signals.csv"), StandardCharsets.UTF_8)));
+        console = folder.map(f -> f.open("console.txt")).orElseGet(OutputStream::nullOutputStream);
+    }
+
+    void event(long timeNanos, String robot, TraceEvent event) {
+        trace.event(timeNanos, robot, event);
+    }
+
+    void sample(Sample sample) {
+        trace.sample(sample);
+        signals.ifPresent(s -> s.sample(sample));
+        path.sample(sample);
+    }
+
+    void console(byte[] bytes, int offset, int length) {
+        try {
+            console.write(bytes, offset, length);
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot write console.txt", e);
+        }
+    }
+
+    PathDrawing path() {
+        return path;
+    }
+
+    /** Ends the trace and returns its hash. */
+    String finish() {
+        try {
+            trace.close();
+            console.close();
+            if (signals.isPresent()) {
+                signals.get().close();
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot finish the files of the run", e);
+        }
+        return trace.hash();
+    }
+}

@@ -1,0 +1,52 @@
+package brickless.simulation;
+
+import brickless.hardware.BrickAccess;
+import brickless.hardware.BrickHardware;
+import brickless.kernel.Kernel;
+import brickless.loading.LoadingRules;
+import brickless.loading.RobotClassLoader;
+import brickless.program.Program;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+
+/** The classes of one robot: loads its program, attaches the brick, and gives the kernel its main thread. */
+final class RobotRealm {
+    /** Starts programs inside the robot's realm as the brick's menu does. */
+    private static final String LAUNCHER = "lejos.internal.ev3.EV3Wrapper";
+
+    private final RobotClassLoader loader;
+
+    RobotRealm(Program program, Kernel kernel, BrickHardware brick) {
+        try {
+            loader = program.classPath().isEmpty()
+                    ? RobotClassLoader.ofApplication(Thread.currentThread().getContextClassLoader(), LoadingRules.standard())
+                    : RobotClassLoader.ofPaths(program.classPath());
+        } catch (IOException e) {
+            throw new SetupException(e.getMessage());
+        }
+        kernel.bind(loader.bind(kernel));
+        attach(brick);
+        Thread main = loader.mainThread(LAUNCHER, program.mainClass());
+        main.setContextClassLoader(loader);
+        kernel.main(main, main);
+    }
+
+    private void attach(BrickHardware brick) {
+        try {
+            loader.loadClass(BrickAccess.class.getName()).getMethod("attach", BrickHardware.class).invoke(null, brick);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("the robot's own BrickAccess must be there", e);
+        }
+    }
+
+    /** Lets go of the program: disconnects kernel and brick and closes its jars. */
+    void release() {
+        attach(null);
+        loader.bind(null);
+        try {
+            loader.close();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

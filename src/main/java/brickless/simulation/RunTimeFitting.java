@@ -1,0 +1,37 @@
+package brickless.simulation;
+
+import brickless.device.motor.MotorDevice;
+import brickless.device.motor.MotorFitting;
+import brickless.device.sensor.SensorFitting;
+import brickless.device.sensor.SensorPortDevice;
+import brickless.world.MotorType;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Plugs in, on a robot fitted to its program, what the program opens at run time and was not foreseen. */
+final class RunTimeFitting implements MotorFitting, SensorFitting {
+    /** The class of {@code Motor.A} to {@code Motor.D}: using one of them opens all four ports, so opening tells nothing about the others. */
+    private static final String READY_MADE = "NXTRegulatedMotor";
+
+    private final List<String> plugged = new ArrayList<>();
+
+    @Override public void expected(MotorDevice device, String lejosClass) {
+        if (device.type() == null && !lejosClass.equals(READY_MADE)) {
+            device.plug(lejosClass.contains("Medium") ? MotorType.MEDIUM : MotorType.LARGE);
+            plugged.add(device.connected() + " on " + (char) ('A' + device.port()));
+        }
+    }
+
+    @Override public void expected(SensorPortDevice device, String lejosClass) {
+        boolean fits = RobotFitter.sensorOf(lejosClass).map(type -> device.mount() != null && device.mount().type() == type).orElse(true);
+        if (!fits) {
+            device.plug(RobotFitter.mount(lejosClass, device.port()));
+            plugged.add(device.connected() + " on S" + (device.port() + 1));
+        }
+    }
+
+    /** What was plugged in, in order. */
+    List<String> plugged() {
+        return plugged;
+    }
+}

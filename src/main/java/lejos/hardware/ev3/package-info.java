@@ -1,0 +1,2 @@
+/** The EV3 that a program runs on. May use: {@code brickless.hardware}, the JDK. */
+package lejos.hardware.ev3;

@@ -1,0 +1,34 @@
+package lejos.hardware.motor;
+
+import lejos.hardware.port.Port;
+import lejos.hardware.port.TachoMotorPort;
+import lejos.hardware.sensor.EV3SensorConstants;
+
+/** The NXT motor: 170 rpm at 9 V. */
+public class NXTRegulatedMotor extends BaseRegulatedMotor {
+    private static final int MAX_SPEED_AT_9V = 1020;
+    private static final float MOVE_P = 4f;
+    private static final float MOVE_I = 0.04f;
+    private static final float MOVE_D = 10f;
+    private static final float HOLD_P = 2f;
+    private static final float HOLD_I = 0.02f;
+    private static final float HOLD_D = 8f;
+    private static final int OFFSET = 0;
+
+    /** A motor on an open port, which {@link #close()} leaves open. */
+    public NXTRegulatedMotor(TachoMotorPort port) {
+        super(port, null, EV3SensorConstants.TYPE_NEWTACHO, MOVE_P, MOVE_I, MOVE_D,
+                HOLD_P, HOLD_I, HOLD_D, OFFSET, MAX_SPEED_AT_9V);
+    }
+
+    /**
+     * A motor on a port that is opened now and closed with the motor.
+     *
+     * @throws lejos.hardware.DeviceException if the port is open already
+     * @throws IllegalArgumentException if it is not a motor port
+     */
+    public NXTRegulatedMotor(Port port) {
+        super(port, null, EV3SensorConstants.TYPE_NEWTACHO, MOVE_P, MOVE_I, MOVE_D,
+                HOLD_P, HOLD_I, HOLD_D, OFFSET, MAX_SPEED_AT_9V);
+    }
+}

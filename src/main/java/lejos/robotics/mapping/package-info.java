@@ -1,0 +1,6 @@
+/**
+ * Maps of lines and grids, and readers for them.
+ *
+ * <p>May use: the JDK, {@code lejos.robotics}.
+ */
+package lejos.robotics.mapping;

@@ -1,0 +1,108 @@
+package brickless;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+/** The package table of {@code sim/docs/ARCHITECTURE.md}, held against the compiled classes. */
+class ArchitectureTest {
+    private static final String[] JDK = {"java..", "javax.."};
+    /** Package (with its subpackages unless it has its own row) and what it may use besides itself and the JDK. */
+    private static final Map<String, List<String>> TABLE = new LinkedHashMap<>();
+    private static JavaClasses all;
+
+    static {
+        TABLE.put("lejos", List.of("lejos..", "brickless.hardware", "org.slf4j.."));
+        TABLE.put("brickless.hardware", List.of());
+        TABLE.put("brickless.kernel.hooks", List.of());
+        TABLE.put("brickless.kernel", List.of("brickless.kernel.hooks", "jdk.internal.vm"));
+        TABLE.put("brickless.concurrent", List.of("brickless.concurrent.."));
+        TABLE.put("brickless.loading", List.of("brickless.loading..", "brickless.kernel.hooks", "org.objectweb.asm.."));
+        TABLE.put("brickless.units", List.of());
+        TABLE.put("brickless.world", List.of("brickless.units"));
+        TABLE.put("brickless.world.svg", List.of("brickless.world", "brickless.units", "org.apache.batik..", "org.locationtech.jts..", "org.w3c..", "org.xml.."));
+        TABLE.put("brickless.physics", List.of("brickless.world", "brickless.units", "org.jbox2d..", "org.locationtech.jts.."));
+        TABLE.put("brickless.device", List.of("brickless.device..", "brickless.hardware", "brickless.physics", "brickless.kernel", "brickless.world", "brickless.units"));
+        TABLE.put("brickless.trace", List.of("brickless.world", "brickless.units", "com.fasterxml.jackson.."));
+        TABLE.put("brickless.program", List.of("brickless.loading"));
+        TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks", "brickless.loading..", "brickless.units",
+                "brickless.world..", "brickless.physics", "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
+        TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
+                "picocli..", "org.slf4j.."));
+    }
+
+    @BeforeAll static void importClasses() {
+        all = new ClassFileImporter().withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("brickless", "lejos");
+        assertThat(all.size()).as("classes found").isGreaterThan(100);
+    }
+
+    @TestFactory Stream<DynamicTest> everyPackageUsesOnlyWhatItsRowAllows() {
+        return TABLE.entrySet().stream().map(row -> DynamicTest.dynamicTest(row.getKey(), () -> check(row.getKey(), row.getValue())));
+    }
+
+    private static void check(String name, List<String> allowed) {
+        List<String> targets = new ArrayList<>(allowed);
+        targets.addAll(List.of(JDK));
+        targets.add(name);
+        List<String> ownRows = TABLE.keySet().stream().filter(other -> other.startsWith(name + ".")).map(other -> other + "..").toList();
+        classes().that(resideInAPackage(name + "..").and(resideOutsideOfPackages(ownRows.toArray(String[]::new))))
+                .should().onlyDependOnClassesThat(resideInAnyPackage(targets.toArray(String[]::new)).or(primitiveLike()))
+                .allowEmptyShould(true).check(all);
+    }
+
+    private static com.tngtech.archunit.base.DescribedPredicate<JavaClass> primitiveLike() {
+        return com.tngtech.archunit.base.DescribedPredicate.describe("have no package", type -> type.getBaseComponentType().isPrimitive()
+                || type.isArray() && type.getBaseComponentType().getPackageName().startsWith("java")
+                || type.isArray() && type.getBaseComponentType().getPackageName().startsWith("brickless")
+                || type.isArray() && type.getBaseComponentType().getPackageName().startsWith("lejos"));
+    }
+
+    @Test void everyPackageHasARow() {
+        assertThat(all.stream().map(JavaClass::getPackageName).distinct()
+                .filter(name -> TABLE.keySet().stream().noneMatch(row -> name.equals(row) || name.startsWith(row + "."))))
+                .as("packages without a row in the table").isEmpty();
+    }
+
+    @Test void noPackageCycles() {
+        slices().matching("brickless.(**)").should().beFreeOfCycles().check(all);
+    }
+
+    @Test void theSimulatorNeverReadsTheWallClock() {
+        noClasses().that().resideInAPackage("brickless..").and().resideOutsideOfPackages("brickless.kernel", "brickless.kernel.hooks",
+                "brickless.concurrent..", "brickless.cli", "brickless.viewer..")
+                .and().haveSimpleNameNotContaining("WallClock")
+                .should().callMethod(System.class, "currentTimeMillis").orShould().callMethod(System.class, "nanoTime")
+                .orShould().callMethod(Thread.class, "sleep", long.class).orShould().callMethod(Math.class, "random")
+                .orShould().callConstructor(java.util.Random.class).check(all);
+    }
+
+    @Test void everyPackageSaysItsJob() throws IOException {
+        Path sources = Path.of(System.getProperty("brickless.home"), "src/main/java");
+        try (Stream<Path> files = Files.walk(sources)) {
+            List<Path> silent = files.filter(file -> file.toString().endsWith(".java")).map(Path::getParent).distinct()
+                    .filter(folder -> !Files.exists(folder.resolve("package-info.java"))).toList();
+            assertThat(silent).as("packages without package-info.java").isEmpty();
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package brickless.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Offset.offset;
+
+import brickless.TestWorlds;
+import brickless.world.Lamp;
+import brickless.world.Point2;
+import brickless.world.Region;
+import brickless.world.SensorType;
+import brickless.world.World;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Colour and light sensors on painted floors. */
+class FloorSensorTest {
+    private static final int WHITE = 0xffffff;
+    private static final int BLACK = 0x101010;
+    private static final int REFLECT = 0;
+    private static final int AMBIENT = 1;
+    private static final int COLOUR = 2;
+    private static final int RGB = 4;
+
+    private static SensorBench colour(int rgb, int mode) {
+        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(rgb));
+        assertThat(sensor.port.uart().initialise(mode)).isTrue();
+        return sensor;
+    }
+
+    @ParameterizedTest(name = "{1} is {2}")
+    @CsvSource({"1,black,101010", "1,black,000000", "1,black,333333", "2,blue,0000ff", "2,blue,0055bf", "2,blue,00008b", "3,green,00ff00", "3,green,00852b",
+        "3,green,228b22", "4,yellow,ffff00", "4,yellow,f5cd2f", "4,yellow,ffd700", "5,red,ff0000", "5,red,c91a09", "5,red,8b0000", "6,white,ffffff",
+        "6,white,f5f5dc", "6,white,d3d3d3", "7,brown,8b4513", "7,brown,654321", "7,brown,a0522d"})
+    void paintIsNamed(int id, String name, String rgb) {
+        assertThat(colour(Integer.parseInt(rgb, 16), COLOUR).bytes(1)[0]).as(name).isEqualTo((byte) id);
+    }
+
+    @Test void whitePaperReflectsMuchAndBlackTapeLittle() {
+        assertThat((int) colour(WHITE, REFLECT).bytes(1)[0]).isBetween(60, 90);
+        assertThat((int) colour(BLACK, REFLECT).bytes(1)[0]).isBetween(3, 10);
+    }
+
+    @Test void redLightIsReflectedByRedAndSwallowedByGreen() {
+        assertThat((int) colour(0xff0000, REFLECT).bytes(1)[0]).isGreaterThan(60);
+        assertThat((int) colour(0x00a000, REFLECT).bytes(1)[0]).isLessThan(15);
+    }
+
+    @Test void rawColoursOfPaperAndTapeAreAsUsersReport() {
+        int[] white = colour(WHITE, RGB).shorts(3);
+        assertThat(java.util.Arrays.stream(white).boxed()).allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.2, 0.35));
+        assertThat(white[1]).isGreaterThan(white[0]);
+        assertThat(white[0]).isGreaterThan(white[2]);
+        assertThat(java.util.Arrays.stream(colour(BLACK, RGB).shorts(3)).boxed()).allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.015, 0.04));
+    }
+
+    @Test void edgeOfALineReadsInBetween() {
+        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE), SensorBench.paint(BLACK, -1, 0, 1, 1));
+        sensor.port.uart().initialise(REFLECT);
+        assertThat((int) sensor.bytes(1)[0]).isBetween(30, 52);
+    }
+
+    @Test void higherSensorSeesLess() {
+        SensorBench high = new SensorBench(TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE))),
+                SensorBench.front(SensorType.EV3_COLOR, 0.03), true);
+        high.port.uart().initialise(REFLECT);
+        assertThat((int) high.bytes(1)[0]).isBetween(10, 40);
+    }
+
+    @Test void overTheEdgeThereIsNoColour() {
+        World world = new World("table", -1, -1, 2, 2, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(), List.of(), List.of(),
+                Optional.of(new Region.Filled(List.of(TestWorlds.box(-0.5, -0.5, 0.04, 0.5)), false)), List.of(), "");
+        SensorBench sensor = new SensorBench(world, SensorBench.front(SensorType.EV3_COLOR, 0.008), true);
+        sensor.port.uart().initialise(COLOUR);
+        assertThat(sensor.bytes(1)[0]).isZero();
+        sensor.port.uart().setMode(REFLECT);
+        assertThat((int) sensor.bytes(1)[0]).isLessThan(8);
+    }
+
+    @Test void lampsRaiseTheAmbientLight() {
+        int dark = colour(WHITE, AMBIENT).bytes(1)[0];
+        World lit = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(), List.of(),
+                List.of(new Lamp("lamp", 3000, new Point2(0.06, 0))), Optional.empty(), List.of(), "");
+        SensorBench sensor = new SensorBench(lit, SensorBench.front(SensorType.EV3_COLOR, 0.008), true);
+        sensor.port.uart().initialise(AMBIENT);
+        assertThat(dark).isBetween(1, 15);
+        assertThat((int) sensor.bytes(1)[0]).isGreaterThan(50);
+    }
+
+    @Test void noiseIsSmallAndRepeatable() {
+        int[] first = noisyReflections();
+        assertThat(first).isEqualTo(noisyReflections());
+        assertThat(java.util.Arrays.stream(first).boxed()).allSatisfy(value -> assertThat(value).isBetween(74, 82));
+        assertThat(java.util.Arrays.stream(first).distinct().count()).isGreaterThan(1);
+    }
+
+    private static int[] noisyReflections() {
+        SensorBench sensor = new SensorBench(TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE))),
+                SensorBench.front(SensorType.EV3_COLOR, 0.008), false);
+        sensor.port.uart().initialise(REFLECT);
+        int[] values = new int[200];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = sensor.bytes(1)[0];
+            sensor.bench.runMillis(1);
+        }
+        return values;
+    }
+
+    @Test void nxtLightSensorFollowsItsLamp() {
+        SensorBench sensor = SensorBench.onPaint(SensorType.NXT_LIGHT, SensorBench.everywhere(WHITE));
+        sensor.port.analog().setType(5);
+        double lit = 1 - sensor.port.analog().pin1Volts() / 5;
+        sensor.port.analog().setType(6);
+        double dark = 1 - sensor.port.analog().pin1Volts() / 5;
+        assertThat(lit).isCloseTo(0.62, offset(0.02));
+        assertThat(dark).isLessThan(0.3);
+    }
+
+    @Test void nxtColourSensorTellsVoltagesAndAColour() {
+        SensorBench sensor = SensorBench.onPaint(SensorType.NXT_COLOR, SensorBench.everywhere(0xff0000));
+        assertThat(sensor.port.analog().setType(13)).isTrue();
+        float[] volts = sensor.port.analog().colourVolts();
+        assertThat(volts).hasSize(5);
+        assertThat(volts[0]).isGreaterThan(2 * volts[1]);
+        assertThat(volts[4]).isEqualTo(5);
+    }
+
+    @Test void nxtSoundSensorHearsAClap() {
+        SensorBench sensor = SensorBench.of(SensorType.NXT_SOUND);
+        double quiet = sensor.port.analog().pin1Volts();
+        sensor.bench.devices.soundLevel(85);
+        assertThat(sensor.port.analog().pin1Volts()).isLessThan(quiet - 2);
+        sensor.bench.devices.soundLevel(0);
+        assertThat(sensor.port.analog().pin1Volts()).isEqualTo(quiet);
+    }
+}

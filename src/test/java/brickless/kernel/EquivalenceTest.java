@@ -1,0 +1,57 @@
+package brickless.kernel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class EquivalenceTest {
+    private static final String BACKENDS = "brickless.kernel.Backends#available";
+    private static final String ROUND_ROBIN = "cb5c6df3d7e7836 of 344";
+    private static final String SEED_7 = "c62a5d0cf32f6e5 of 697";
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aHundredRunsAreOneAndTheSameOnEveryBackendAndJdk(BackendChoice backend) {
+        for (int i = 0; i < 100; i++) {
+            assertThat(fingerprint(Robot.settings(backend))).isEqualTo(ROUND_ROBIN);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aSeededScheduleIsTheSameOnEveryBackendAndJdk(BackendChoice backend) {
+        for (int i = 0; i < 20; i++) {
+            assertThat(fingerprint(Robot.settings(backend).withScheduleSeed(7))).isEqualTo(SEED_7);
+        }
+    }
+
+    @Test
+    void kernelsOnManyHostThreadsDoNotDisturbEachOther() throws Exception {
+        ExecutorService hosts = Executors.newFixedThreadPool(4);
+        try {
+            List<Callable<String>> runs = IntStream.range(0, 24)
+                    .mapToObj(i -> (Callable<String>) () -> fingerprint(Robot.settings(BackendChoice.AUTO))).toList();
+            for (Future<String> run : hosts.invokeAll(runs)) {
+                assertThat(run.get()).isEqualTo(ROUND_ROBIN);
+            }
+        } finally {
+            hosts.shutdown();
+        }
+    }
+
+    private static String fingerprint(KernelSettings settings) {
+        Robot robot = new Robot(settings.withLimitNanos(300 * Robot.MILLI), time -> { });
+        ScheduleHash hash = ScheduleHash.of(robot.kernel);
+        ProgramEnd end = robot.run(() -> BusyProgram.run(robot, 6, 1_000));
+        assertThat(end.kind()).isEqualTo(ProgramEnd.Kind.TIME_LIMIT);
+        return hash.toString();
+    }
+}

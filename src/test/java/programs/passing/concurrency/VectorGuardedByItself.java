@@ -1,0 +1,50 @@
+// expect: vector still 1
+// expect: vector now 2
+// expect: table still 1
+// expect: table now 2
+// expect: list still 1
+// expect: list now 2
+package programs.passing.concurrency;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Hashtable;
+import java.util.List;
+import java.util.Vector;
+
+/** Who holds the monitor of a vector, a table or a synchronized list keeps everybody else out. */
+public class VectorGuardedByItself {
+    /** The program. */
+    public static void main(String[] args) throws Exception {
+        Vector<String> vector = new Vector<>();
+        vector.add("a");
+        Thread adder = new Thread(() -> vector.add("b"));
+        synchronized (vector) {
+            adder.start();
+            Thread.sleep(20);
+            System.out.println("vector still " + vector.size());
+        }
+        adder.join();
+        System.out.println("vector now " + vector.size());
+        Hashtable<String, Integer> table = new Hashtable<>();
+        table.put("a", 1);
+        Thread putter = new Thread(() -> table.put("b", 2));
+        synchronized (table) {
+            putter.start();
+            Thread.sleep(20);
+            System.out.println("table still " + table.size());
+        }
+        putter.join();
+        System.out.println("table now " + table.size());
+        List<String> list = Collections.synchronizedList(new ArrayList<>());
+        list.add("a");
+        Thread appender = new Thread(() -> list.add("b"));
+        synchronized (list) {
+            appender.start();
+            Thread.sleep(20);
+            System.out.println("list still " + list.size());
+        }
+        appender.join();
+        System.out.println("list now " + list.size());
+    }
+}

@@ -1,0 +1,25 @@
+package programs.passing.interrupts;
+
+/**
+ * Interrupting a thread in sleep throws InterruptedException there and clears the flag.
+ *
+ * @expected exited 0
+ * @prints interrupted after 100 ms, flag false
+ */
+public class InterruptSleep {
+    public static void main(String[] args) throws InterruptedException {
+        Thread sleeper = new Thread(() -> {
+            long start = System.nanoTime();
+            try {
+                Thread.sleep(5000);
+            } catch (InterruptedException e) {
+                long millis = (System.nanoTime() - start) / 1_000_000;
+                System.out.println("interrupted after " + (millis + 5) / 10 * 10 + " ms, flag " + Thread.currentThread().isInterrupted());
+            }
+        });
+        sleeper.start();
+        Thread.sleep(100);
+        sleeper.interrupt();
+        sleeper.join();
+    }
+}

@@ -1,0 +1,7 @@
+import lejos.hardware.Sound;
+
+public class Broken {
+    public static void main(String[] args) {
+        Sound.beep(;
+    }
+}

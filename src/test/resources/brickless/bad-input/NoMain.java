@@ -1,0 +1,4 @@
+public class NoMain {
+    public void run() {
+    }
+}
