@@ -17,8 +17,8 @@ import org.jbox2d.dynamics.BodyDef;
  */
 public final class Arena {
     /** Velocity and position iterations of the contact solver per step. */
-    private static final int VELOCITY_ITERATIONS = 8;
-    private static final int POSITION_ITERATIONS = 3;
+    private static final int VELOCITY_ITERATIONS = 6;
+    private static final int POSITION_ITERATIONS = 2;
     private static final double NANOS_PER_SECOND = 1e9;
 
     private final World description;

@@ -17,7 +17,7 @@ import org.jbox2d.common.Vec2;
  */
 final class Drivetrain extends Joint {
     /** Relaxations of all constraints per velocity iteration of the solver. */
-    private static final int SWEEPS = 2;
+    private static final int SWEEPS = 1;
 
     private final Body robot;
     private final Shaft[] shafts;

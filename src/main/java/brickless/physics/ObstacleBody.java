@@ -111,6 +111,7 @@ public final class ObstacleBody implements Solid {
         body.setTransform(new Vec2(Decimetres.of(pose.x()), Decimetres.of(pose.y())), (float) pose.headingRadians());
         body.setLinearVelocity(new Vec2());
         body.setAngularVelocity(0);
+        body.setAwake(true);
     }
 
     void remove() {

@@ -92,7 +92,7 @@ class MechanismTest {
         bench.devices.motor(PORT_A).move(new MoveRequest(200, 1000, 180, true));
         bench.devices.motor(PORT_A).awaitStandstill();
         assertThat(bench.devices.motor(PORT_A).state()).isEqualTo(brickless.hardware.RegulationState.STALL);
-        assertThat(Math.toDegrees(bench.robot.turretAngleRadians(0))).isBetween(-95.0, -20.0);
+        assertThat(Math.toDegrees(bench.robot.turretAngleRadians(0))).isBetween(-95.0, -10.0);
     }
 
     private static RobotModel withClaw() {
