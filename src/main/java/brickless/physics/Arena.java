@@ -121,7 +121,8 @@ public final class Arena {
      * @param own the robot that casts it, which it ignores; may be null
      * @param out receives the nearest hit
      */
-    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own, RayHit out) {
+    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own,
+            RayHit out) {
         rays.cast(aim, turnRadians, reachMetres, leastHeightMetres, own, out);
     }
 
