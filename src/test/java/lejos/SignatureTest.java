@@ -28,8 +28,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Compares every public and protected name under {@code lejos}, without {@code lejos.internal}, with the published jar. Two text files beside this class are the
- * memory of what differs: {@code absent-classes.txt} can only shrink, {@code added-members.txt} lists what we add on purpose.
+ * Compares every public and protected name under {@code lejos}, without {@code lejos.internal}, with the published jar.
+ * Two text files beside this class are the memory of what differs: {@code absent-classes.txt} can only shrink, {@code
+ * added-members.txt} lists what we add on purpose.
  */
 class SignatureTest {
     private static List<JApiClass> classes;

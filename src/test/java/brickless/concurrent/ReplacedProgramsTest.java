@@ -63,7 +63,7 @@ class ReplacedProgramsTest {
     }
 
     private static List<String> expected(String program) throws IOException {
-        String mark = "// expect: ";
+        String mark = " * @prints ";
         return Files.readAllLines(SOURCES.resolve(program + ".java")).stream().filter(line -> line.startsWith(mark))
                 .map(line -> line.substring(mark.length())).collect(Collectors.toList());
     }
@@ -144,7 +144,8 @@ class ReplacedProgramsTest {
         private static String constructed(String name) {
             switch (name) {
                 case "java/util/concurrent/CompletableFuture":
-                    return "brickless/concurrent/CompletableFuture";
+                case "java/util/concurrent/ConcurrentHashMap":
+                    return name.replace("java/util/concurrent", "brickless/concurrent");
                 case "java/io/PrintStream":
                     return "brickless/concurrent/io/ProgramPrintStream";
                 case "java/util/Collections":
@@ -155,7 +156,7 @@ class ReplacedProgramsTest {
         }
 
         private static String replacement(String name) {
-            if (name.equals("java/util/concurrent/CompletableFuture")) {
+            if (!constructed(name).equals(name)) {
                 return name;
             }
             String ours = name.replaceFirst("^java/util/concurrent/", "brickless/concurrent/")

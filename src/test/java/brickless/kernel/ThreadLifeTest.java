@@ -63,8 +63,10 @@ class ThreadLifeTest {
         robot.run(() -> {
             Thread fresh = Robot.thread("fresh", () -> { });
             Thread sleeper = robot.startDaemon("sleeper", () -> robot.sleepMillis(1_000));
-            Thread waiter = robot.startDaemon("waiter", () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 0)));
-            Thread timed = robot.startDaemon("timed", () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 1_000_000_000)));
+            Thread waiter = robot.startDaemon("waiter",
+                    () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 0)));
+            Thread timed = robot.startDaemon("timed",
+                    () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 1_000 * Robot.MILLI)));
             Thread parked = robot.startDaemon("parked", () -> robot.kernel.park(0));
             Thread joiner = robot.startDaemon("joiner", () -> robot.kernel.join(sleeper, 0));
             Thread ready = robot.startDaemon("ready", robot::spin);

@@ -14,6 +14,6 @@ public interface FloorColour {
 
     /** The floor of a world: paint upon white, nothing outside the table. */
     static FloorColour of(World world) {
-        return new PaintedFloor(world);
+        return new FloorTiles(new PaintedFloor(world), world);
     }
 }

@@ -10,11 +10,16 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.Spliterator;
+import java.util.function.BinaryOperator;
+import java.util.function.Function;
 import java.util.stream.BaseStream;
+import java.util.stream.Collector;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
@@ -90,6 +95,36 @@ public final class CollectionHooks {
         if (map.put(Objects.requireNonNull(key), Objects.requireNonNull(value)) != null) {
             throw new IllegalArgumentException("duplicate key: " + TextHooks.text(key));
         }
+    }
+
+    /** {@code Collectors.toSet()}. */
+    public static <T> Collector<T, ?, ?> toSet() {
+        return Collectors.toCollection(() -> new ProgramHashSet<T>());
+    }
+
+    /** {@code Collectors.groupingBy(key)}. */
+    public static <T, K> Collector<T, ?, ?> groupingBy(Function<T, K> key) {
+        return Collectors.groupingBy(key, () -> new ProgramHashMap<K, List<T>>(), Collectors.toList());
+    }
+
+    /** {@code Collectors.groupingBy(key, downstream)}. */
+    public static <T, K, D> Collector<T, ?, ?> groupingBy(Function<T, K> key, Collector<T, ?, D> downstream) {
+        return Collectors.groupingBy(key, () -> new ProgramHashMap<K, D>(), downstream);
+    }
+
+    /** {@code Collectors.toMap(key, value)}. */
+    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value) {
+        return Collectors.toMap(key, value, CollectionHooks::refuseDuplicate, () -> new ProgramHashMap<K, V>());
+    }
+
+    private static <V> V refuseDuplicate(V first, V second) {
+        throw new IllegalStateException("Duplicate key (attempted merging values " + TextHooks.text(first) + " and "
+                + TextHooks.text(second) + ")");
+    }
+
+    /** {@code Collectors.toMap(key, value, merging)}. */
+    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value, BinaryOperator<V> merging) {
+        return Collectors.toMap(key, value, merging, () -> new ProgramHashMap<K, V>());
     }
 
     /** {@code collection.parallelStream()}. */

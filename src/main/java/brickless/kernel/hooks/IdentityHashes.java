@@ -58,6 +58,12 @@ public final class IdentityHashes {
         return result;
     }
 
+    /** Whether {@code object.hashCode()} would give what the host drew. */
+    static boolean isHosts(Object object) {
+        return object instanceof Enum || object instanceof Class
+                || !(object instanceof IdentityHashed) && hasIdentityHash(object.getClass());
+    }
+
     private static synchronized boolean hasIdentityHash(Class<?> type) {
         return WITHOUT_OWN_HASH.computeIfAbsent(type, IdentityHashes::inheritsObjectHash);
     }
