@@ -7,6 +7,7 @@ import java.util.Map;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
+import org.objectweb.asm.tree.InsnList;
 import org.objectweb.asm.tree.JumpInsnNode;
 import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.LookupSwitchInsnNode;
@@ -33,7 +34,9 @@ final class BackEdgeCharges implements MethodPass {
             }
         }
         if (method.name.startsWith(LAMBDA_PREFIX)) {
-            method.instructions.insert(Code.call(Code.HOOKS, "tick", "()V"));
+            InsnList entry = new InsnList();
+            entry.add(Code.call(Code.HOOKS, "tick", "()V"));
+            Code.insertAtStart(method, entry);
         }
     }
 

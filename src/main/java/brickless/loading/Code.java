@@ -12,6 +12,7 @@ import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.LineNumberNode;
 import org.objectweb.asm.tree.MethodInsnNode;
+import org.objectweb.asm.tree.MethodNode;
 
 /** Small pieces of bytecode that several passes insert. */
 final class Code {
@@ -59,6 +60,19 @@ final class Code {
     /** Whether the instruction leaves the method normally. */
     static boolean isReturn(AbstractInsnNode instruction) {
         return instruction.getOpcode() >= Opcodes.IRETURN && instruction.getOpcode() <= Opcodes.RETURN;
+    }
+
+    /** Inserts code before a method's first instruction, on the method's first line, so that stack traces from there have a line. */
+    static void insertAtStart(MethodNode method, InsnList code) {
+        for (AbstractInsnNode node : method.instructions) {
+            if (node instanceof LineNumberNode) {
+                LabelNode label = new LabelNode();
+                code.insert(new LineNumberNode(((LineNumberNode) node).line, label));
+                code.insert(label);
+                break;
+            }
+        }
+        method.instructions.insert(code);
     }
 
     /**

@@ -58,6 +58,7 @@ public final class Hooks {
     public static int enter() {
         int entered = depth + 1;
         if (entered > largestDepth) {
+            machine.charge(InstructionCharges.STACK_OVERFLOW_NANOS);
             throw new StackOverflowError();
         }
         depth = entered;

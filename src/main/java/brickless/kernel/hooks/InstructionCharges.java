@@ -18,6 +18,9 @@ public final class InstructionCharges {
     /** One byte of a new array. */
     public static final int ALLOCATION_NANOS_PER_BYTE = 4;
 
+    /** A StackOverflowError with its trace; makes programs that catch it and recurse again reach the time limit. */
+    public static final int STACK_OVERFLOW_NANOS = 1_000_000;
+
     /** Largest array in bytes: about the heap that the brick's JVM gives a program. Assumption. */
     public static final long LARGEST_ARRAY_BYTES = 32L << 20;
 
