@@ -3,6 +3,8 @@ package brickless.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import handwritten.StaticAction;
+import handwritten.StaticInitialiser;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.ref.WeakReference;
@@ -12,8 +14,6 @@ import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import programs.passing.StaticAction;
-import programs.passing.StaticInitialiser;
 
 /** What the host's side of a program sees: thread locals, stacks that cannot be left, what remains after a run. */
 class HostThreadTest {

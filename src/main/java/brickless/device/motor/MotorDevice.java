@@ -15,7 +15,8 @@ import brickless.world.MotorType;
 /**
  * An output port: the socket that programs use, the motor plugged into it and its controller.
  *
- * <p>All mutable state is guarded by the lock given to the constructor (the arena), which is never held while charging, blocking or waking.
+ * <p>All mutable state is guarded by the lock given to the constructor (the arena), which is never held while charging,
+ * blocking or waking.
  */
 public final class MotorDevice implements MotorSocket, MotorRegulation {
     /** Period of the control tick, nanoseconds; the tick comes with the first physics step that is due. */
@@ -192,7 +193,8 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         synchronized (lock) {
             if (regulator.request() != null) {
-                regulator.adjust(regulator.request().speedDegreesPerSecond(), degreesPerSecondSquared, sinceTickMillis());
+                regulator.adjust(regulator.request().speedDegreesPerSecond(), degreesPerSecondSquared,
+                        sinceTickMillis());
             }
         }
     }

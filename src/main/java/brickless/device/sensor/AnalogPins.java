@@ -20,7 +20,8 @@ final class AnalogPins implements AnalogChannel {
     @Override public double pin1Volts() {
         port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
-            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin1Volts(port.nowNanos()) : REFERENCE_VOLTS);
+            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin1Volts(port.nowNanos())
+                    : REFERENCE_VOLTS);
         }
     }
 
@@ -52,7 +53,8 @@ final class AnalogPins implements AnalogChannel {
     @Override public float[] colourVolts() {
         port.charge(Costs.SENSOR_READ_NANOS);
         synchronized (port.lock()) {
-            return port.sensor() instanceof AnalogSensor sensor ? sensor.colourVolts(port.nowNanos()) : AnalogSensor.NO_COLOURS;
+            return port.sensor() instanceof AnalogSensor sensor ? sensor.colourVolts(port.nowNanos())
+                    : AnalogSensor.NO_COLOURS;
         }
     }
 }

@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.hardware.SensorSocket.Wiring;
+import java.util.Arrays;
 
 /** NXT ultrasonic sensor on the I²C bus: distance in whole centimetres in its registers. */
 final class NxtUltrasonicSensor extends SensorModel {
@@ -55,7 +56,7 @@ final class NxtUltrasonicSensor extends SensorModel {
     @Override void powerOff() {
         registers[COMMAND] = CONTINUOUS;
         registers[INTERVAL] = 1;
-        java.util.Arrays.fill(registers, DISTANCES, DISTANCES + ECHOES, (byte) NOTHING);
+        Arrays.fill(registers, DISTANCES, DISTANCES + ECHOES, (byte) NOTHING);
     }
 
     @Override void afterStep(long nowNanos) {
@@ -68,7 +69,8 @@ final class NxtUltrasonicSensor extends SensorModel {
     private void ping(long number) {
         lastPing = number;
         double metres = beam.distance(site());
-        long centimetres = metres > SoundBeam.REACH ? NOTHING : Math.round(metres * 100 + NOISE_CM * site().noise().bell(number, 0));
+        long centimetres = metres > SoundBeam.REACH ? NOTHING
+                : Math.round(metres * 100 + NOISE_CM * site().noise().bell(number, 0));
         registers[DISTANCES] = (byte) (centimetres > FARTHEST_CM ? NOTHING : Math.max(NEAREST_CM, centimetres));
     }
 

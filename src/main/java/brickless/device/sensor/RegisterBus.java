@@ -15,7 +15,8 @@ final class RegisterBus implements I2cChannel {
         // The models answer at any speed and need no supply.
     }
 
-    @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset,
+    @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read,
+            int readOffset,
             int readLength) {
         port.occupy(Costs.I2C_TRANSACTION_NANOS);
         synchronized (port.lock()) {

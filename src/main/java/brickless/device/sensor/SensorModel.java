@@ -4,7 +4,9 @@ import brickless.hardware.SensorSocket.Wiring;
 import brickless.physics.Aim;
 import brickless.world.SensorType;
 
-/** A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step. */
+/**
+ * A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step.
+ */
 abstract sealed class SensorModel permits AnalogSensor, UartSensor, NxtUltrasonicSensor {
     private final SensorSite site;
 
@@ -44,7 +46,10 @@ abstract sealed class SensorModel permits AnalogSensor, UartSensor, NxtUltrasoni
     /** LEGO's number of the device. */
     abstract int deviceType();
 
-    /** What it sends in its present mode, in the device's own units, for traces; empty while it sends nothing. Changes nothing. */
+    /**
+     * What it sends in its present mode, in the device's own units, for traces; empty while it sends nothing. Changes
+     * nothing.
+     */
     abstract double[] reading(long nowNanos);
 
     /** Follows the arena; called after every step. */

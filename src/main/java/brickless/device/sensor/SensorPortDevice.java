@@ -39,7 +39,8 @@ public final class SensorPortDevice implements SensorSocket {
      * @param processor charged for calls
      * @param fitting told about expected sensors
      */
-    public SensorPortDevice(int port, RobotBody robot, Surroundings surroundings, RemoteControl remote, Processor processor,
+    public SensorPortDevice(int port, RobotBody robot, Surroundings surroundings, RemoteControl remote,
+            Processor processor,
             SensorFitting fitting) {
         this.port = port;
         this.robot = robot;
@@ -55,7 +56,9 @@ public final class SensorPortDevice implements SensorSocket {
         return port;
     }
 
-    /** Plugs a sensor in, replacing what was there; null empties the port. The mount's own port number is not looked at. */
+    /**
+     * Plugs a sensor in, replacing what was there; null empties the port. The mount's own port number is not looked at.
+     */
     public void plug(SensorMount mount) {
         synchronized (lock()) {
             if (sensor != null) {
@@ -92,8 +95,8 @@ public final class SensorPortDevice implements SensorSocket {
     }
 
     /**
-     * What the sensor sends in its present mode, for traces: 0 or 1, millimetres, degrees, percent, … as listed in MODELS.md; empty while it
-     * sends nothing. Charges nothing and changes nothing.
+     * What the sensor sends in its present mode, for traces: 0 or 1, millimetres, degrees, percent, … as listed in
+     * MODELS.md; empty while it sends nothing. Charges nothing and changes nothing.
      */
     public double[] reading(long nowNanos) {
         synchronized (lock()) {

@@ -3,7 +3,8 @@ package brickless.device.sensor;
 import brickless.hardware.SensorSocket.Wiring;
 
 /** A self-describing serial device with numbered modes. */
-abstract sealed class UartSensor extends SensorModel permits ColourSensor, UltrasonicSensor, GyroSensor, InfraredSensor {
+abstract sealed class UartSensor extends SensorModel permits ColourSensor, UltrasonicSensor, GyroSensor,
+        InfraredSensor {
     /** Mode before the first selection and after a reset. */
     static final int DARK = -1;
     /** Bytes of the longest message of any device. */

@@ -76,8 +76,9 @@ public class Queues {
         giver.start();
         System.out.println("synchronous " + synchronous.take());
         DelayQueue<Wait> delayed = new DelayQueue<>();
+        Wait brief = new Wait("short", 20);
         delayed.put(new Wait("long", 60));
-        delayed.put(new Wait("short", 20));
+        delayed.put(brief);
         System.out.println("delayed " + delayed.take().name + " " + delayed.take().name);
     }
 }
