@@ -1,5 +1,6 @@
 package brickless.cli;
 
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -14,14 +15,24 @@ public final class Main implements Runnable {
     @CommandLine.Spec
     private CommandLine.Model.CommandSpec spec;
 
-    /** Runs a command and ends the JVM with its exit status. */
-    public static void main(String[] args) {
-        System.exit(run(args));
+    private final PrintStream out;
+    private final PrintStream err;
+
+    private Main(PrintStream out, PrintStream err) {
+        this.out = out;
+        this.err = err;
     }
 
-    /** Runs a command. */
-    static int run(String... args) {
-        CommandLine line = new CommandLine(new Main());
+    /** Runs a command and ends the JVM with its exit status. */
+    public static void main(String[] args) {
+        System.exit(run(System.out, System.err, args));
+    }
+
+    /** Runs a command that prints to these streams; returns its exit status. */
+    static int run(PrintStream out, PrintStream err, String... args) {
+        CommandLine line = new CommandLine(new Main(out, err));
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(err, true));
         line.setParameterExceptionHandler((failure, arguments) -> usage(failure.getCommandLine(), failure.getMessage()));
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
             if (failure instanceof UsageException) {
@@ -30,6 +41,16 @@ public final class Main implements Runnable {
             throw failure;
         });
         return line.execute(args);
+    }
+
+    /** Where results and the program's output go. */
+    PrintStream out() {
+        return out;
+    }
+
+    /** Where explanations of failures go. */
+    PrintStream err() {
+        return err;
     }
 
     private static int usage(CommandLine command, String message) {

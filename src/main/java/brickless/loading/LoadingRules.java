@@ -46,6 +46,7 @@ public final class LoadingRules {
         }
         rules.add(new Rule(HOOKS, true, Treatment.PER_ROBOT_PLAIN));
         rules.add(new Rule("brickless.hardware.BrickAccess", false, Treatment.PER_ROBOT_PLAIN));
+        rules.add(new Rule("brickless.junit.brick.", true, Treatment.PER_ROBOT_REWRITTEN));
         rules.add(new Rule("brickless.concurrent.", true, Treatment.PER_ROBOT_REWRITTEN));
         for (String shared : new String[] {"brickless.", "org.slf4j.", "org.junit.", "junit.", "org.opentest4j.", "org.assertj.", "org.hamcrest.",
             "org.apiguardian."}) {

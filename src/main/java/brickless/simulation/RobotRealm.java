@@ -8,6 +8,9 @@ import brickless.loading.RobotClassLoader;
 import brickless.program.Program;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.util.Optional;
 
 /** The classes of one robot: loads its program, attaches the brick, and gives the kernel its main thread. */
 final class RobotRealm {
@@ -16,7 +19,7 @@ final class RobotRealm {
 
     private final RobotClassLoader loader;
 
-    RobotRealm(Program program, Kernel kernel, BrickHardware brick) {
+    RobotRealm(Program program, Kernel kernel, BrickHardware brick, Optional<ProgramBody> body) {
         try {
             loader = program.classPath().isEmpty()
                     ? RobotClassLoader.ofApplication(Thread.currentThread().getContextClassLoader(), LoadingRules.standard())
@@ -26,9 +29,25 @@ final class RobotRealm {
         }
         kernel.bind(loader.bind(kernel));
         attach(brick);
-        Thread main = loader.mainThread(LAUNCHER, program.mainClass());
+        Thread main = body.isPresent() ? loader.programThread("main", () -> run(body.get())) : loader.mainThread(LAUNCHER, program.mainClass());
         main.setContextClassLoader(loader);
         kernel.main(main, main);
+    }
+
+    private void run(ProgramBody body) {
+        try {
+            Class<?> launcher = Class.forName(LAUNCHER, true, loader);
+            MethodHandles.publicLookup().findStatic(launcher, "prepare", MethodType.methodType(void.class)).invoke();
+            body.run(loader);
+        } catch (Throwable thrown) {
+            throw RobotRealm.<RuntimeException>unchecked(thrown);
+        }
+    }
+
+    /** Throws an exception of the program as it is. */
+    @SuppressWarnings("unchecked")
+    private static <E extends Throwable> E unchecked(Throwable failure) throws E {
+        throw (E) failure;
     }
 
     private void attach(BrickHardware brick) {

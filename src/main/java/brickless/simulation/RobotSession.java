@@ -13,6 +13,7 @@ import brickless.trace.RobotSample;
 import brickless.world.RobotModel;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** One robot of a run: its body, its devices, its brick, and the kernel its program runs on. */
 final class RobotSession {
@@ -28,7 +29,7 @@ final class RobotSession {
     private final RobotRealm realm;
 
     RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Surroundings surroundings,
-            Recorder recorder, Stimulator stimulator) {
+            Recorder recorder, Stimulator stimulator, Optional<ProgramBody> programBody) {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
@@ -37,7 +38,7 @@ final class RobotSession {
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
         panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, () -> kernel.exit(1));
         devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
-        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console));
+        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
 
     private KernelSettings kernelSettings(SimulationSettings settings, Arena arena) {

@@ -43,7 +43,8 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
         }
     }
 
-    private static void prepare() {
+    /** Prepares the layers of the screen, the program's console and the exception screen. */
+    public static void prepare() {
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();
         layers.getLayer(EV3LCD.PROGRAM_LAYER);
         LCDOutputStream printed = new LCDOutputStream(new PrintedText(PRINTED_LAYER));
