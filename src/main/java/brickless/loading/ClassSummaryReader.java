@@ -38,7 +38,11 @@ final class ClassSummaryReader extends ClassVisitor {
      */
     static ClassSummary read(ClassFile file, String name, JdkReplacements replacements, Predicate<String> isProgram) {
         ClassSummaryReader reader = new ClassSummaryReader(name, replacements, isProgram);
-        ClassFiles.reader(file, name).accept(reader, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
+        try {
+            ClassFiles.reader(file, name).accept(reader, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
+        } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
+            throw ClassFiles.damaged(file, name, damaged);
+        }
         return new ClassSummary(reader.superName, reader.isInterface, Set.copyOf(reader.methods), Set.copyOf(reader.staticFields),
                 reader.initialisation);
     }

@@ -36,7 +36,7 @@ final class RobotSession {
         body = arena.robot(name).orElseThrow();
         kernel = new Kernel(kernelSettings(settings, arena));
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
-        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, () -> kernel.exit(1));
+        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
         devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
         realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
@@ -45,6 +45,11 @@ final class RobotSession {
         KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(arena.stepNanos())
                 .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
         return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+    }
+
+    /** The keys DOWN and ENTER were held together: the brick's menu ends the program. */
+    private void endByKeys() {
+        realm.end(1);
     }
 
     String name() {
