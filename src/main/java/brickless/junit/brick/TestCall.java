@@ -4,6 +4,8 @@ import java.lang.annotation.Annotation;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
@@ -47,9 +49,7 @@ public final class TestCall implements Runnable {
 
     private Throwable outcome() {
         try {
-            Class<?> test = Class.forName(type);
-            Object instance = instance(test, test.isMemberClass() ? test.getDeclaringClass() : null);
-            return lifeCycle(test, instance);
+            return lifeCycle(instances(Class.forName(type)));
         } catch (InvocationTargetException e) {
             return e.getCause();
         } catch (ReflectiveOperationException | RuntimeException | Error e) {
@@ -57,12 +57,19 @@ public final class TestCall implements Runnable {
         }
     }
 
-    private Throwable lifeCycle(Class<?> test, Object instance) throws ReflectiveOperationException {
+    private Throwable lifeCycle(List<Object> instances) throws ReflectiveOperationException {
+        Object innermost = instances.get(instances.size() - 1);
         Throwable failure = thrownBy(() -> {
-            callAll(test, instance, BeforeEach.class, HierarchyTraversalMode.TOP_DOWN);
-            method(test).invoke(instance, arguments);
+            for (Object instance : instances) {
+                callAll(instance, BeforeEach.class, HierarchyTraversalMode.TOP_DOWN);
+            }
+            method(innermost.getClass()).invoke(innermost, arguments);
         });
-        Throwable late = thrownBy(() -> callAll(test, instance, AfterEach.class, HierarchyTraversalMode.BOTTOM_UP));
+        Throwable late = thrownBy(() -> {
+            for (int i = instances.size() - 1; i >= 0; i--) {
+                callAll(instances.get(i), AfterEach.class, HierarchyTraversalMode.BOTTOM_UP);
+            }
+        });
         if (failure != null && late != null) {
             failure.addSuppressed(late);
         }
@@ -82,10 +89,9 @@ public final class TestCall implements Runnable {
         }
     }
 
-    private static void callAll(Class<?> test, Object instance, Class<? extends Annotation> annotation, HierarchyTraversalMode order)
+    private static void callAll(Object instance, Class<? extends Annotation> annotation, HierarchyTraversalMode order)
             throws ReflectiveOperationException {
-        List<Method> methods = AnnotationSupport.findAnnotatedMethods(test, annotation, order);
-        for (Method each : methods) {
+        for (Method each : AnnotationSupport.findAnnotatedMethods(instance.getClass(), annotation, order)) {
             each.setAccessible(true);
             if (each.getParameterCount() > 0) {
                 throw new IllegalArgumentException(each.getName() + ": methods around a test @OnTheBrick have no parameters");
@@ -94,17 +100,17 @@ public final class TestCall implements Runnable {
         }
     }
 
-    /** A nested test class needs an instance of its outer class, made first. */
-    private static Object instance(Class<?> test, Class<?> outer) throws ReflectiveOperationException {
+    /** An instance of the test class, behind those of its outer classes if it is a nested one, outermost first. */
+    private static List<Object> instances(Class<?> test) throws ReflectiveOperationException {
+        boolean nested = test.isMemberClass() && !Modifier.isStatic(test.getModifiers());
+        List<Object> instances = nested ? instances(test.getDeclaringClass()) : new ArrayList<>();
         Constructor<?> constructor = test.getDeclaredConstructors()[0];
+        if (constructor.getParameterCount() != (nested ? 1 : 0)) {
+            throw new IllegalArgumentException(test.getName() + ": a class with tests @OnTheBrick has one constructor, without parameters");
+        }
         constructor.setAccessible(true);
-        if (constructor.getParameterCount() == 0) {
-            return constructor.newInstance();
-        }
-        if (outer != null && constructor.getParameterCount() == 1 && constructor.getParameterTypes()[0] == outer) {
-            return constructor.newInstance(instance(outer, outer.isMemberClass() ? outer.getDeclaringClass() : null));
-        }
-        throw new IllegalArgumentException(test.getName() + ": a class with tests @OnTheBrick has a constructor without parameters");
+        instances.add(nested ? constructor.newInstance(instances.get(instances.size() - 1)) : constructor.newInstance());
+        return instances;
     }
 
     private Method method(Class<?> test) {
