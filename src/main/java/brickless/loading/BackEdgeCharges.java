@@ -23,6 +23,9 @@ final class BackEdgeCharges implements MethodPass {
 
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
+        if (DrawingLoops.contain(type.name)) {
+            return;
+        }
         Map<AbstractInsnNode, Integer> positions = positions(method);
         for (AbstractInsnNode node : method.instructions.toArray()) {
             for (LabelNode target : targets(node)) {
