@@ -7,6 +7,7 @@ import brickless.device.sensor.Surroundings;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.kernel.ProgramEnd;
+import brickless.loading.hints.HintFinder;
 import brickless.physics.Arena;
 import brickless.physics.RobotBody;
 import brickless.trace.RobotSample;
@@ -37,7 +38,11 @@ final class RobotSession {
         kernel = new Kernel(kernelSettings(settings, arena));
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
         panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
-        devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
+        boolean open = fitted || programBody.isPresent();
+        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : MotorFitting.FIXED, open ? fitting : SensorFitting.FIXED);
+        if (open) {
+            fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
+        }
         realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
 
@@ -120,7 +125,7 @@ final class RobotSession {
             notes.add(RobotFitter.describe(model));
         }
         if (!fitting.plugged().isEmpty()) {
-            notes.add("plugged in when the program opened it: " + String.join(", ", fitting.plugged()));
+            notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
