@@ -23,6 +23,9 @@ final class ProgramClasses {
     }
 
     List<byte[]> files() {
+        if (program.mainClass().isEmpty()) {
+            return List.of();
+        }
         try {
             if (program.classPath().isEmpty()) {
                 return besideMainClass();
