@@ -31,8 +31,8 @@ public final class OriginalJar {
     }
 
     /**
-     * A new loader of the published classes together with classes of this test tree, so that one driver compiled against our
-     * classes runs against the published ones.
+     * A new loader of the published classes together with classes of this test tree, so that one driver compiled
+     * against our classes runs against the published ones.
      *
      * @param driver a class of the test tree; it and its neighbours are defined anew in the loader
      */

@@ -17,8 +17,8 @@ import org.jbox2d.dynamics.BodyDef;
  */
 public final class Arena {
     /** Velocity and position iterations of the contact solver per step. */
-    private static final int VELOCITY_ITERATIONS = 8;
-    private static final int POSITION_ITERATIONS = 3;
+    private static final int VELOCITY_ITERATIONS = 6;
+    private static final int POSITION_ITERATIONS = 2;
     private static final double NANOS_PER_SECOND = 1e9;
 
     private final World description;
@@ -121,7 +121,8 @@ public final class Arena {
      * @param own the robot that casts it, which it ignores; may be null
      * @param out receives the nearest hit
      */
-    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own, RayHit out) {
+    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own,
+            RayHit out) {
         rays.cast(aim, turnRadians, reachMetres, leastHeightMetres, own, out);
     }
 

@@ -22,7 +22,8 @@ final class ProgramConsole implements ProgramLog {
     private final IntConsumer exit;
     private final ByteArrayOutputStream[] lines = {new ByteArrayOutputStream(), new ByteArrayOutputStream()};
     private final List<String> complete = new ArrayList<>();
-    private int arbitrators;
+    private final List<List<String>> arbitrators = new ArrayList<>();
+    private String activeBehaviour;
     private String failure;
 
     ProgramConsole(String robot, Recorder recorder, OutputStream echo, LongSupplier clock, IntConsumer exit) {
@@ -85,9 +86,15 @@ final class ProgramConsole implements ProgramLog {
         return Optional.ofNullable(failure);
     }
 
+    /** Class name of the behaviour that an arbitrator made active last, if it has not ended. */
+    Optional<String> activeBehaviour() {
+        return Optional.ofNullable(activeBehaviour);
+    }
+
     @Override public int arbitratorCreated(String[] behaviours) {
-        event(new TraceEvent.ArbitratorEvent(arbitrators, List.of(behaviours)));
-        return arbitrators++;
+        event(new TraceEvent.ArbitratorEvent(arbitrators.size(), List.of(behaviours)));
+        arbitrators.add(List.of(behaviours));
+        return arbitrators.size() - 1;
     }
 
     @Override public void behaviourWanted(int arbitrator, int behaviour) {
@@ -95,6 +102,7 @@ final class ProgramConsole implements ProgramLog {
     }
 
     @Override public void behaviourActive(int arbitrator, int behaviour) {
+        activeBehaviour = behaviour < 0 ? null : arbitrators.get(arbitrator).get(behaviour);
         event(new TraceEvent.BehaviourEvent("active", arbitrator, behaviour));
     }
 

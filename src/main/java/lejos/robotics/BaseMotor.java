@@ -11,7 +11,10 @@ public interface BaseMotor {
     /** Stops and holds against turning. A regulated motor decelerates first and returns when it stands still. */
     void stop();
 
-    /** Takes power away, so that the motor turns freely. A regulated motor decelerates first and returns when it stands still. */
+    /**
+     * Takes power away, so that the motor turns freely. A regulated motor decelerates first and returns when it stands
+     * still.
+     */
     void flt();
 
     /** True while the motor moves, or is told to move, by a command; a hand that turns it does not count. */

@@ -38,7 +38,10 @@ public class Color {
     private final int blue;
     private final int color;
 
-    /** A colour without a number of its own: {@link #getColor()} says 0, as leJOS does. Components normally 0 to 255, not checked. */
+    /**
+     * A colour without a number of its own: {@link #getColor()} says 0, as leJOS does. Components normally 0 to 255,
+     * not checked.
+     */
     public Color(int red, int green, int blue) {
         this(red, green, blue, RED);
     }

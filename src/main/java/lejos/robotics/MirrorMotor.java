@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * A regulated motor seen from the other side: forward is backward.
  *
- * <p>It takes the place of the motor's one listener and passes events on to its own. Settings such as speed and acceleration have
- * no direction and pass unchanged.
+ * <p>It takes the place of the motor's one listener and passes events on to its own. Settings such as speed and
+ * acceleration have no direction and pass unchanged.
  */
 public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
     private final RegulatedMotor motor;

@@ -77,7 +77,8 @@ public class RangeReadings extends ArrayList<RangeReading> implements Transmitta
     public void printReadings() {
         int number = 0;
         for (RangeReading reading : this) {
-            System.out.println("Range " + number++ + " = " + (reading.invalidReading() ? "Invalid" : reading.getRange()));
+            String range = reading.invalidReading() ? "Invalid" : Float.toString(reading.getRange());
+            System.out.println("Range " + number++ + " = " + range);
         }
     }
 }

@@ -49,7 +49,7 @@ final class WorldAssembler implements DrawingVisitor {
     private World world() {
         return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()), Lengths.metresFromMillimetres(page.minY()),
                 Lengths.metresFromMillimetres(page.width()), Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps,
-                table(), placements, document.text());
+                table(), placements, EmbeddedImages.textOf(document));
     }
 
     @Override public boolean enter(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {

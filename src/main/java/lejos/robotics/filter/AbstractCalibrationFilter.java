@@ -11,8 +11,8 @@ import lejos.robotics.SampleProvider;
 /**
  * The base of filters that learn from samples how to correct samples.
  *
- * <p>During calibration each fetch passes a low-pass filter, is added to the statistics and comes out uncorrected. Calibration
- * data can be kept by name; see {@link #store}.
+ * <p>During calibration each fetch passes a low-pass filter, is added to the statistics and comes out uncorrected.
+ * Calibration data can be kept by name; see {@link #store}.
  */
 public abstract class AbstractCalibrationFilter extends AbstractFilter implements Calibrate {
     private static final String SAMPLE_SIZE = "sampleSize";

@@ -15,7 +15,8 @@ final class AcceptedValues {
 
     /** Takes the value up unless it is far from the others, or not a number. */
     void offer(float value) {
-        if (Float.isNaN(value) || count >= ALWAYS_ACCEPTED && Math.abs(value - mean()) > DEVIATIONS * standardDeviation()) {
+        boolean far = count >= ALWAYS_ACCEPTED && Math.abs(value - mean()) > DEVIATIONS * standardDeviation();
+        if (Float.isNaN(value) || far) {
             return;
         }
         ring[next] = value;

@@ -6,8 +6,8 @@ import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Calibration data by name. On a brick they are files in {@code /home/root/sensorCalibration}; here they live as long as the
- * robot's program, so that runs cannot influence each other.
+ * Calibration data by name. On a brick they are files in {@code /home/root/sensorCalibration}; here they live as long
+ * as the robot's program, so that runs cannot influence each other.
  */
 final class CalibrationFiles {
     private static final Map<String, Properties> FILES = new ConcurrentHashMap<>();

@@ -3,7 +3,10 @@ package lejos.robotics.filter;
 import java.util.Arrays;
 import lejos.robotics.SampleProvider;
 
-/** The integral of samples over the time between fetches, in seconds; each sample counts for the time since the one before. */
+/**
+ * The integral of samples over the time between fetches, in seconds; each sample counts for the time since the one
+ * before.
+ */
 public class IntegrationFilter extends AbstractFilter {
     private static final double SECONDS_PER_NANO = 1e-9;
 

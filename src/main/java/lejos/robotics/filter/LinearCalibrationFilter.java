@@ -7,7 +7,8 @@ import lejos.robotics.SampleProvider;
 /**
  * Corrects offset and scale, so that the least and greatest values of a calibration become given values.
  *
- * <p>To correct the offset alone, calibrate at rest or all around; to correct both, move the sensor through its whole range.
+ * <p>To correct the offset alone, calibrate at rest or all around; to correct both, move the sensor through its whole
+ * range.
  */
 public class LinearCalibrationFilter extends AbstractCalibrationFilter {
     /** Corrects the offset. */

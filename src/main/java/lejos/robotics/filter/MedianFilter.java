@@ -3,7 +3,9 @@ package lejos.robotics.filter;
 import java.util.Arrays;
 import lejos.robotics.SampleProvider;
 
-/** The median of the last samples, for each element; of an even number of samples the lower of the two in the middle. */
+/**
+ * The median of the last samples, for each element; of an even number of samples the lower of the two in the middle.
+ */
 public class MedianFilter extends SampleBuffer {
     /**
      * A filter over the last samples.

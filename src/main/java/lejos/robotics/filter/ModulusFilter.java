@@ -2,7 +2,10 @@ package lejos.robotics.filter;
 
 import lejos.robotics.SampleProvider;
 
-/** Turns values into the range from 0 to a modulus, such as 360 degrees, counted from a zero of its own for each element. */
+/**
+ * Turns values into the range from 0 to a modulus, such as 360 degrees, counted from a zero of its own for each
+ * element.
+ */
 public class ModulusFilter extends AbstractFilter {
     private final float[] zero;
     private final float modulus;

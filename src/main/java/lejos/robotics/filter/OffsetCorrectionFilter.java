@@ -5,7 +5,8 @@ import lejos.robotics.SampleProvider;
 /**
  * Takes a sensor's drifting offset out: what it shows on average becomes a reference value.
  *
- * <p>Samples more than two standard deviations from the mean are taken for motion, not drift, and do not count, once 15 counted.
+ * <p>Samples more than two standard deviations from the mean are taken for motion, not drift, and do not count, once 15
+ * counted.
  */
 public class OffsetCorrectionFilter extends AbstractFilter {
     private static final int DEFAULT_BUFFER_SIZE = 200;

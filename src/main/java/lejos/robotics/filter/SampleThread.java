@@ -5,7 +5,8 @@ import lejos.robotics.SampleProvider;
 /**
  * Takes samples at a regular rate on a thread of its own; a fetch returns the newest of them at once.
  *
- * <p>The thread is a daemon and starts with the constructor. May be used by any thread; this object's lock guards the newest sample.
+ * <p>The thread is a daemon and starts with the constructor. May be used by any thread; this object's lock guards the
+ * newest sample.
  */
 public class SampleThread extends AbstractFilter {
     private static final float MILLIS_PER_SECOND = 1000;

@@ -108,8 +108,8 @@ public abstract class Line2D implements Shape, Cloneable {
     /**
      * On which side of the line 1–2 a point lies.
      *
-     * @return with y up: −1 to the left of the way from 1 to 2, 1 to the right; on the straight line itself −1 before point 1,
-     *     1 beyond point 2, 0 between
+     * @return with y up: −1 to the left of the way from 1 to 2, 1 to the right; on the straight line itself −1 before
+     *     point 1, 1 beyond point 2, 0 between
      */
     public static int relativeCCW(double x1, double y1, double x2, double y2, double px, double py) {
         double dx = x2 - x1;

@@ -148,6 +148,8 @@ public class Point extends Point2D.Float {
     /** The point at a distance from here in a direction in degrees counter-clockwise from +x. */
     public Point pointAt(float distance, float angle) {
         double radians = StrictMath.toRadians(angle);
-        return new Point((float) (x + distance * StrictMath.cos(radians)), (float) (y + distance * StrictMath.sin(radians)));
+        double dx = distance * StrictMath.cos(radians);
+        double dy = distance * StrictMath.sin(radians);
+        return new Point((float) (x + dx), (float) (y + dy));
     }
 }

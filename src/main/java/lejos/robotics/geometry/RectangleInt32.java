@@ -78,8 +78,8 @@ public class RectangleInt32 extends Rectangle2D {
     }
 
     /**
-     * Whether the other has an area and both its corners are inside. A corner on the far edges is not, so a rectangle does not
-     * contain itself.
+     * Whether the other has an area and both its corners are inside. A corner on the far edges is not, so a rectangle
+     * does not contain itself.
      */
     public boolean contains(RectangleInt32 r) {
         return !r.isEmpty() && contains(r.x, r.y) && contains(r.x + r.width, r.y + r.height);
@@ -114,8 +114,8 @@ public class RectangleInt32 extends Rectangle2D {
     }
 
     /**
-     * Moves and resizes the rectangle to the smallest one of whole coordinates that encloses the given one. Negative extents
-     * are rounded down.
+     * Moves and resizes the rectangle to the smallest one of whole coordinates that encloses the given one. Negative
+     * extents are rounded down.
      */
     @Override
     public void setRect(double x, double y, double width, double height) {

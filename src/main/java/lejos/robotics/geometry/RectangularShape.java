@@ -79,7 +79,9 @@ public abstract class RectangularShape implements Shape, Cloneable {
         return contains(r.getX(), r.getY(), r.getWidth(), r.getHeight());
     }
 
-    /** The smallest rectangle of whole coordinates that encloses the shape; an empty one if width or height is negative. */
+    /**
+     * The smallest rectangle of whole coordinates that encloses the shape; an empty one if width or height is negative.
+     */
     @Override
     public RectangleInt32 getBounds() {
         if (getWidth() < 0 || getHeight() < 0) {

@@ -1,6 +1,8 @@
 package lejos.robotics.geometry;
 
-/** An area or a line. Points on the left and on the lower-coordinate edges of an area belong to it, on the others not. */
+/**
+ * An area or a line. Points on the left and on the lower-coordinate edges of an area belong to it, on the others not.
+ */
 public interface Shape {
     /** The smallest rectangle of whole coordinates that encloses the shape. */
     RectangleInt32 getBounds();

@@ -6,8 +6,8 @@ import lejos.robotics.navigation.Pose;
 /**
  * Finds a robot's pose from the bearings of three beacons.
  *
- * <p>The robot is where three circles meet, each through two beacons and seen under a known angle; computed as in V. Pierlot and
- * M. Van Droogenbroeck, "A New Three Object Triangulation Algorithm for Mobile Robot Positioning", 2014.
+ * <p>The robot is where three circles meet, each through two beacons and seen under a known angle; computed as in V.
+ * Pierlot and M. Van Droogenbroeck, "A New Three Object Triangulation Algorithm for Mobile Robot Positioning", 2014.
  */
 public class BeaconTriangle {
     /** Cotangents of angles nearer to 0 or a half turn than this, in radians, are taken as of this. */
@@ -58,7 +58,9 @@ public class BeaconTriangle {
 
     /** Bearings of the three beacons from a pose, in degrees. */
     double[] bearingsFrom(Pose pose) {
-        return new double[] {pose.relativeBearing(beacon1), pose.relativeBearing(beacon2), pose.relativeBearing(beacon3)};
+        return new double[] {
+            pose.relativeBearing(beacon1), pose.relativeBearing(beacon2), pose.relativeBearing(beacon3)
+        };
     }
 
     private static double cotangent(double degrees) {

@@ -38,8 +38,8 @@ record MCLEstimate(float x, float y, float heading, float minX, float maxX, floa
     }
 
     static MCLEstimate read(DataInputStream in) throws IOException {
-        return new MCLEstimate(in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(),
-                in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat());
+        return new MCLEstimate(in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(),
+                in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat(), in.readFloat());
     }
 
     private static float normalize(float angle) {

@@ -75,7 +75,8 @@ public class MCLParticle {
     }
 
     /**
-     * Moves the guess as the robot moved, straight along the old heading, give or take. The heading becomes a whole number.
+     * Moves the guess as the robot moved, straight along the old heading, give or take. The heading becomes a whole
+     * number.
      *
      * @param move what the robot did
      * @param distanceNoiseFactor standard deviation of the distance along each axis, as a share of it

@@ -54,7 +54,8 @@ public class MCLParticleSet implements Transmittable {
      * @param minWeight least weight of a guess to be taken
      * @throws IllegalStateException if hardly any place explains them
      */
-    public MCLParticleSet(RangeMap map, int numParticles, int border, RangeReadings readings, float divisor, float minWeight) {
+    public MCLParticleSet(RangeMap map, int numParticles, int border, RangeReadings readings, float divisor,
+            float minWeight) {
         this.map = map;
         this.border = border;
         fill(numParticles, () -> explainingParticle(readings, divisor, minWeight));
@@ -91,8 +92,8 @@ public class MCLParticleSet implements Transmittable {
     /**
      * Draws a new set, in which guesses are the more likely the greater their weight.
      *
-     * @return false if too few guesses were good enough, so that some are there many times; true if none was and the new set is
-     *     spread all over the map
+     * @return false if too few guesses were good enough, so that some are there many times; true if none was and the
+     *     new set is spread all over the map
      */
     public boolean resample() {
         MCLParticle[] old = particles;

@@ -15,7 +15,8 @@ import lejos.robotics.navigation.MoveProvider;
 import lejos.robotics.navigation.Pose;
 
 /**
- * Monte Carlo localisation: keeps a cloud of guesses of the pose, moves it as the robot moves and thins it out by range readings.
+ * Monte Carlo localisation: keeps a cloud of guesses of the pose, moves it as the robot moves and thins it out by range
+ * readings.
  *
  * <p>After a move, {@link #getPose} scans with the range scanner, which turns a head or the robot.
  */

@@ -39,7 +39,8 @@ public class LineMap implements RangeMap, Transmittable {
     /** Distance from a pose, along its heading, to the nearest wall within 254 units; −1 if there is none. */
     @Override
     public float range(Pose p) {
-        Line sight = new Line(p.getX(), p.getY(), p.pointAt(SIGHT, p.getHeading()).x, p.pointAt(SIGHT, p.getHeading()).y);
+        Point end = p.pointAt(SIGHT, p.getHeading());
+        Line sight = new Line(p.getX(), p.getY(), end.x, end.y);
         float nearest = -1;
         for (Line wall : lines) {
             Point hit = wall.intersectsAt(sight);
@@ -52,8 +53,8 @@ public class LineMap implements RangeMap, Transmittable {
     }
 
     /**
-     * Whether a point is in the mapped area: whether a ray from it to the left meets an odd number of lines. A ray through a corner
-     * meets two lines there, so a point level with a corner may be misjudged.
+     * Whether a point is in the mapped area: whether a ray from it to the left meets an odd number of lines. A ray
+     * through a corner meets two lines there, so a point level with a corner may be misjudged.
      */
     @Override
     public boolean inside(Point p) {
@@ -107,8 +108,8 @@ public class LineMap implements RangeMap, Transmittable {
     public void createSVGFile(String fileName) throws IOException {
         Rectangle r = boundingRect;
         try (Writer out = new OutputStreamWriter(new FileOutputStream(fileName), StandardCharsets.UTF_8)) {
-            out.write("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + r.width + "px\" height=\"" + r.height + "px\" viewBox=\""
-                    + r.x + " " + r.y + " " + r.width + " " + r.height + "\">\n<g>\n");
+            out.write("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + r.width + "px\" height=\"" + r.height
+                    + "px\" viewBox=\"" + r.x + " " + r.y + " " + r.width + " " + r.height + "\">\n<g>\n");
             for (Line line : lines) {
                 out.write("<line stroke=\"#000000\" x1=\"" + line.x1 + "\" y1=\"" + line.y1
                         + "\" x2=\"" + line.x2 + "\" y2=\"" + line.y2 + "\"/>\n");
@@ -117,7 +118,10 @@ public class LineMap implements RangeMap, Transmittable {
         }
     }
 
-    /** A map with y counted from the top of the rectangle down, or back up again; the rectangle, shared, should begin at y = 0. */
+    /**
+     * A map with y counted from the top of the rectangle down, or back up again; the rectangle, shared, should begin at
+     * y = 0.
+     */
     public LineMap flip() {
         float top = boundingRect.y + boundingRect.height;
         Line[] flipped = new Line[lines.length];

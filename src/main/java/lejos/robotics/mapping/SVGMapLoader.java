@@ -35,7 +35,8 @@ public class SVGMapLoader {
         List<Line> lines = new ArrayList<>();
         while (reader.hasNext()) {
             if (reader.next() == XMLStreamConstants.START_ELEMENT && reader.getLocalName().equals("line")) {
-                lines.add(new Line(number(reader, "x1"), number(reader, "y1"), number(reader, "x2"), number(reader, "y2")));
+                lines.add(new Line(
+                        number(reader, "x1"), number(reader, "y1"), number(reader, "x2"), number(reader, "y2")));
             }
         }
         return new LineMap(lines.toArray(new Line[0]), extent(lines)).flip();

@@ -12,8 +12,8 @@ import lejos.robotics.geometry.Rectangle;
 /**
  * Reads the lines and polygons of an ESRI shapefile ({@code .shp}) as a map.
  *
- * <p>Format: "ESRI Shapefile Technical Description", 1998. Lengths in headers are big-endian and count 16-bit words, the rest is
- * little-endian.
+ * <p>Format: "ESRI Shapefile Technical Description", 1998. Lengths in headers are big-endian and count 16-bit words,
+ * the rest is little-endian.
  */
 public class ShapefileLoader {
     private static final int FILE_CODE = 0x0000270a;

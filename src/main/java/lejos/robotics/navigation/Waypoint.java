@@ -79,7 +79,8 @@ public class Waypoint extends Point implements Transmittable {
     /** Whether a pose is within the errors accepted. Headings are compared as numbers: 179 and −179 differ by 358. */
     public boolean checkValidity(Pose p) {
         boolean near = maxPositionError < 0 || p.distanceTo(this) <= maxPositionError;
-        boolean aligned = maxHeadingError < 0 || !headingRequired || Math.abs(p.getHeading() - heading) <= maxHeadingError;
+        boolean aligned = maxHeadingError < 0 || !headingRequired
+                || Math.abs(p.getHeading() - heading) <= maxHeadingError;
         return near && aligned;
     }
 

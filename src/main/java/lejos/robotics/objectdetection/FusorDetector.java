@@ -8,8 +8,8 @@ import lejos.utility.Delay;
 /**
  * Several detectors as one: collects what they find and tells its listeners of all of it together.
  *
- * <p>A daemon thread, started with the first detector, tells once per delay. Detectors call from threads of their own; this object's
- * lock guards what was collected.
+ * <p>A daemon thread, started with the first detector, tells once per delay. Detectors call from threads of their own;
+ * this object's lock guards what was collected.
  */
 public class FusorDetector implements FeatureDetector, FeatureListener {
     private final List<FeatureDetector> detectors = new CopyOnWriteArrayList<>();

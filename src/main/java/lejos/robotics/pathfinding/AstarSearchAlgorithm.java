@@ -5,7 +5,8 @@ import java.util.List;
 import lejos.robotics.navigation.Waypoint;
 
 /**
- * The A* algorithm of Hart, Nilsson and Raphael: always looks on from the node where cost so far plus estimate is least.
+ * The A* algorithm of Hart, Nilsson and Raphael: always looks on from the node where cost so far plus estimate is
+ * least.
  *
  * <p>Scores are kept in the nodes, so only one search may run on a mesh at a time.
  */

@@ -11,11 +11,11 @@ import lejos.robotics.navigation.Waypoint;
 import lejos.robotics.navigation.WaypointListener;
 
 /**
- * Finds a short path around the walls of a map, which turns only at the ends of walls: Dijkstra's algorithm on a graph made as it
- * goes.
+ * Finds a short path around the walls of a map, which turns only at the ends of walls: Dijkstra's algorithm on a graph
+ * made as it goes.
  *
- * <p>Does what {@link ShortestPathFinder} does, with steps that a subclass can change. Of paths of equal length the two may find
- * different ones. Headings are ignored.
+ * <p>Does what {@link ShortestPathFinder} does, with steps that a subclass can change. Of paths of equal length the two
+ * may find different ones. Headings are ignored.
  */
 public class DijkstraPathFinder implements PathFinder {
     /** Places nearer to each other than this are one. */
@@ -102,7 +102,10 @@ public class DijkstraPathFinder implements PathFinder {
         return _blocked;
     }
 
-    /** The place reached from which the way by it to a candidate is shortest and not known to be blocked; null if there is none. */
+    /**
+     * The place reached from which the way by it to a candidate is shortest and not known to be blocked; null if there
+     * is none.
+     */
     protected Node getBest(Node currentDestination) {
         Node best = null;
         float least = Float.POSITIVE_INFINITY;

@@ -84,7 +84,9 @@ public class FourWayGridMesh implements NavigationMesh {
         return true;
     }
 
-    /** Adds a node and links it to the first of those not farther than the spacing along each axis; returns how many. */
+    /**
+     * Adds a node and links it to the first of those not farther than the spacing along each axis; returns how many.
+     */
     @Override
     public int addNode(Node node, int neighbors) {
         int links = 0;

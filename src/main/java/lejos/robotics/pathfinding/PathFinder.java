@@ -17,6 +17,9 @@ public interface PathFinder {
     /** Adds a listener for {@link #startPathFinding}. */
     void addListener(WaypointListener wl);
 
-    /** Finds a path and tells the listeners its waypoints one by one, on the caller's thread; does nothing if there is none. */
+    /**
+     * Finds a path and tells the listeners its waypoints one by one, on the caller's thread; does nothing if there is
+     * none.
+     */
     void startPathFinding(Pose start, Waypoint end);
 }

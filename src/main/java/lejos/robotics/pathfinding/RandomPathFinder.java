@@ -11,8 +11,9 @@ import lejos.robotics.navigation.Waypoint;
 import lejos.robotics.navigation.WaypointListener;
 
 /**
- * Finds paths from one random pose to the next, each in sight of the one before, nearer to the destination and with walls in reach of
- * a range finder at all angles of a template. Only poses are kept from which a robot can locate itself.
+ * Finds paths from one random pose to the next, each in sight of the one before, nearer to the destination and with
+ * walls in reach of a range finder at all angles of a template. Only poses are kept from which a robot can locate
+ * itself.
  */
 public class RandomPathFinder implements PathFinder {
     private static final float LEAST_GAIN = 1;
@@ -90,7 +91,8 @@ public class RandomPathFinder implements PathFinder {
         for (int i = 0; i < maxIterations; i++) {
             Pose pose = randomPose();
             boolean nearer = pose.distanceTo(destination) <= from.distanceTo(destination) - LEAST_GAIN;
-            if (nearer && map.inside(pose.getLocation()) && allRangesInReach(pose) && inSight(from, pose.getLocation())) {
+            Point place = pose.getLocation();
+            if (nearer && map.inside(place) && allRangesInReach(pose) && inSight(from, place)) {
                 return pose;
             }
         }

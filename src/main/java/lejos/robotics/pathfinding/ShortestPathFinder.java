@@ -13,9 +13,9 @@ import lejos.robotics.navigation.WaypointListener;
 /**
  * Finds the shortest path around the walls of a map, which turns only at the ends of walls.
  *
- * <p>A search of least cost over a graph that is made as it goes: a straight way is tried, and only if a wall blocks it do the ends
- * of that wall become places to go to. Since a path may touch the ends of walls, it also slips through where two walls meet;
- * {@link #lengthenLines} keeps a robot of some width away from them. Headings are ignored.
+ * <p>A search of least cost over a graph that is made as it goes: a straight way is tried, and only if a wall blocks it
+ * do the ends of that wall become places to go to. Since a path may touch the ends of walls, it also slips through
+ * where two walls meet; {@link #lengthenLines} keeps a robot of some width away from them. Headings are ignored.
  */
 public class ShortestPathFinder implements PathFinder {
     private final WaypointListeners listeners = new WaypointListeners();
@@ -98,7 +98,9 @@ public class ShortestPathFinder implements PathFinder {
         }
     }
 
-    /** The first wall that the way meets, unless the way begins or ends at an end of the wall; null if there is none. */
+    /**
+     * The first wall that the way meets, unless the way begins or ends at an end of the wall; null if there is none.
+     */
     private Line blockingLine(Node from, Node to) {
         Line way = new Line(from.location.x, from.location.y, to.location.x, to.location.y);
         for (Line wall : map) {

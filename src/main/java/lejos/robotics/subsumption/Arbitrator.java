@@ -3,20 +3,22 @@ package lejos.robotics.subsumption;
 /**
  * Lets, of several behaviours, always the one of highest priority drive that wants to.
  *
- * <p><b>Two threads.</b> The caller of {@link #go} runs every {@link Behavior#action action}, one after another. A daemon
- * thread, the <i>monitor</i>, asks and tells: it alone calls {@link Behavior#takeControl takeControl} and
- * {@link Behavior#suppress suppress}. It works in passes, about 2 ms apart. In each pass it asks the behaviours
- * above the active one, from the top down, until one says yes; no one below that is asked. If one said yes and an action is
+ * <p><b>Two threads.</b> The caller of {@link #go} runs every {@link Behavior#action action}, one after another. A
+ * daemon thread, the <i>monitor</i>, asks and tells: it alone calls {@link Behavior#takeControl takeControl} and {@link
+ * Behavior#suppress suppress}. It works in passes, about 2 ms apart. In each pass it asks the behaviours above the
+ * active one, from the top down, until one says yes; no one below that is asked. If one said yes and an action is
  * running, it calls suppress on the running behaviour: once per pass, as long as the action lasts and the wish does.
  *
- * <p><b>One lock.</b> The monitor holds it for a whole pass, so its calls never overlap one another. The thread in go holds
- * it only to choose; actions run without it, beside the passes. What is chosen is always the result of a whole pass made after
- * the last action returned, in which every behaviour could be heard. So a wish that has passed before its turn came is
- * forgotten, and a behaviour that still wants to drive when its action returns acts again, unless a higher one wants to.
+ * <p><b>One lock.</b> The monitor holds it for a whole pass, so its calls never overlap one another. The thread in go
+ * holds it only to choose; actions run without it, beside the passes. What is chosen is always the result of a whole
+ * pass made after the last action returned, in which every behaviour could be heard. So a wish that has passed before
+ * its turn came is forgotten, and a behaviour that still wants to drive when its action returns acts again, unless a
+ * higher one wants to.
  *
  * <p>Nothing forces an action to end: a behaviour that ignores suppress keeps every other waiting.
  *
- * <p><b>Ends.</b> See {@link #go}. When it ends, whatever the reason, the monitor ends too. An arbitrator goes once only.
+ * <p><b>Ends.</b> See {@link #go}. When it ends, whatever the reason, the monitor ends too. An arbitrator goes once
+ * only.
  */
 public class Arbitrator {
     /** No behaviour. */
@@ -29,8 +31,8 @@ public class Arbitrator {
     private static final long PAUSE_MILLIS = 2;
 
     /**
-     * True until {@link #stop}; a program may also clear it itself. Read under the lock before each pass and each choice, so
-     * that a change is seen at the next.
+     * True until {@link #stop}; a program may also clear it itself. Read under the lock before each pass and each
+     * choice, so that a change is seen at the next.
      */
     public boolean keepRunning = true;
 
@@ -76,11 +78,11 @@ public class Arbitrator {
     /**
      * Runs the behaviours' actions on this thread; waits first until some behaviour wants to drive.
      *
-     * <p>Returns after {@link #stop}, or when no behaviour wants to drive any more if the constructor was told so; in both cases
-     * not before the running action has returned. An exception that an action throws comes out of here at once. One that
-     * takeControl or suppress throws ends the monitor and comes out of here when the running action has returned; since that may
-     * be never, such a one also ends the monitor thread as an uncaught exception, which reports it at once. Interrupting the
-     * caller has no effect here: the interrupt is kept for the next action.
+     * <p>Returns after {@link #stop}, or when no behaviour wants to drive any more if the constructor was told so; in
+     * both cases not before the running action has returned. An exception that an action throws comes out of here at
+     * once. One that takeControl or suppress throws ends the monitor and comes out of here when the running action has
+     * returned; since that may be never, such a one also ends the monitor thread as an uncaught exception, which
+     * reports it at once. Interrupting the caller has no effect here: the interrupt is kept for the next action.
      *
      * @throws IllegalThreadStateException if called a second time
      */
@@ -98,8 +100,18 @@ public class Arbitrator {
     }
 
     /**
-     * Ends arbitration: no behaviour is asked, told or started any more, and {@link #go} returns when the running action does.
-     * Returns at once, and does not suppress that action.
+     * The same as {@link #go}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    public void start() {
+        go();
+    }
+
+    /**
+     * Ends arbitration: no behaviour is asked, told or started any more, and {@link #go} returns when the running
+     * action does. Returns at once, and does not suppress that action.
      */
     public void stop() {
         keepRunning = false;
@@ -191,12 +203,14 @@ public class Arbitrator {
         try {
             Thread.sleep(PAUSE_MILLIS);
         } catch (InterruptedException e) {
-            // A takeControl or suppress interrupted its own thread. That state is the program's: leave it, go without rest.
+            // A takeControl or suppress interrupted its own thread. That state is the program's: leave it, do not rest.
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Keeps what takeControl or suppress threw, for go to throw; true if that may be long because an action is running. */
+    /**
+     * Keeps what takeControl or suppress threw, for go to throw; true if that may be long because an action is running.
+     */
     private boolean failedInAction(Throwable problem) {
         synchronized (lock) {
             failure = problem;

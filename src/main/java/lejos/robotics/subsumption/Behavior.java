@@ -9,20 +9,20 @@ package lejos.robotics.subsumption;
  */
 public interface Behavior {
     /**
-     * Whether this behaviour wants to drive now. Asked many times a second, so return at once; keep answering true until
-     * the action has started. Not asked while this behaviour or a higher one acts.
+     * Whether this behaviour wants to drive now. Asked many times a second, so return at once; keep answering true
+     * until the action has started. Not asked while this behaviour or a higher one acts.
      */
     boolean takeControl();
 
     /**
-     * Drives the robot. Returns when done, or soon after {@link #suppress} was called; until it returns no other behaviour
-     * can act.
+     * Drives the robot. Returns when done, or soon after {@link #suppress} was called; until it returns no other
+     * behaviour can act.
      */
     void action();
 
     /**
-     * Tells the running {@link #action} to return, because a higher behaviour wants to drive. Must not wait for it. Called
-     * again and again until the action has returned or the higher behaviour has lost interest.
+     * Tells the running {@link #action} to return, because a higher behaviour wants to drive. Must not wait for it.
+     * Called again and again until the action has returned or the higher behaviour has lost interest.
      */
     void suppress();
 }

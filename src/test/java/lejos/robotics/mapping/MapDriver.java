@@ -35,7 +35,10 @@ final class MapDriver {
         return seen;
     }
 
-    /** Four outer walls and three within; the published class judges insides by luck if those are not parallel to an axis. */
+    /**
+     * Four outer walls and three within; the published class judges insides by luck if those are not parallel to an
+     * axis.
+     */
     private static LineMap room(Random random, boolean sloped) {
         Line[] lines = new Line[7];
         lines[0] = new Line(0, 0, 200, 0);

@@ -8,9 +8,9 @@ import java.util.Random;
 /**
  * Plays a random script with an arbitrator and tells the order of its calls.
  *
- * <p>Each action takes the next step of the script: it changes who wants to drive, waits until the monitor has looked (until it
- * is suppressed, if that is to be expected), and returns. The last step throws, which ends go in every version. A behaviour
- * above all others never wants anything; it counts passes.
+ * <p>Each action takes the next step of the script: it changes who wants to drive, waits until the monitor has looked
+ * (until it is suppressed, if that is to be expected), and returns. The last step throws, which ends go in every
+ * version. A behaviour above all others never wants anything; it counts passes.
  */
 final class Scripted {
     private static final int STEPS = 12;

@@ -1,4 +1,4 @@
-package programs.passing;
+package handwritten;
 
 /** What the next {@link StaticInitialiser} of a thread does. */
 public final class StaticAction {

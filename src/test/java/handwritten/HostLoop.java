@@ -1,4 +1,4 @@
-package programs.failing;
+package handwritten;
 
 /** A loop that never enters the kernel, as code of the JDK could; a test can stop it from outside. */
 public final class HostLoop {

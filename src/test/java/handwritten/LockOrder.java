@@ -1,4 +1,4 @@
-package programs.failing;
+package handwritten;
 
 import brickless.kernel.hooks.VirtualMachine;
 

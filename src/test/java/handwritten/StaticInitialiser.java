@@ -1,4 +1,4 @@
-package programs.passing;
+package handwritten;
 
 /** A program whose static initialiser does the work, as many leJOS programs create their hardware there. */
 public final class StaticInitialiser {
