@@ -27,7 +27,8 @@ final class HoleCutter {
         Map<Polygon, List<LinearRing>> holesOf = new IdentityHashMap<>();
         for (List<Point2> hole : holes) {
             LinearRing ring = ring(hole);
-            outers.stream().filter(outer -> outer.getEnvelopeInternal().contains(ring.getEnvelopeInternal()) && outer.contains(ring))
+            outers.stream().filter(outer -> outer.getEnvelopeInternal().contains(ring.getEnvelopeInternal())
+                    && outer.contains(ring))
                     .min(Comparator.comparingDouble(Polygon::getArea))
                     .ifPresent(outer -> holesOf.computeIfAbsent(outer, key -> new ArrayList<>()).add(ring));
         }

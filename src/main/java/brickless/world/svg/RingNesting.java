@@ -5,7 +5,10 @@ import brickless.world.Region;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Sorts rings that do not cross into bodies and holes by the fill rule, and opens bodies with holes so that each piece is a plain polygon. */
+/**
+ * Sorts rings that do not cross into bodies and holes by the fill rule, and opens bodies with holes so that each piece
+ * is a plain polygon.
+ */
 final class RingNesting {
     private RingNesting() {}
 
