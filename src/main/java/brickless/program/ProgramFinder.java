@@ -157,7 +157,7 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
                     + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
         }
-        return new Program(main, all, Optional.empty());
+        return new Program(name, main, all, Optional.empty());
     }
 
     private List<Path> resolvedClassPath() {
