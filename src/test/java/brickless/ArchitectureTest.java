@@ -53,6 +53,9 @@ class ArchitectureTest {
         TABLE.put("brickless.program", List.of("brickless.loading"));
         TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks", "brickless.loading..", "brickless.units",
                 "brickless.world..", "brickless.physics", "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
+        TABLE.put("brickless.junit", List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.world.svg",
+                "org.junit.jupiter.api..", "org.junit.platform.commons.support", "org.opentest4j"));
+        TABLE.put("brickless.junit.brick", List.of("org.junit.jupiter.api", "org.junit.platform.commons.support"));
         TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
                 "picocli..", "org.slf4j.."));
     }

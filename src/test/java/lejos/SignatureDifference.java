@@ -94,7 +94,8 @@ record SignatureDifference(String where, String what) {
 
     /** Changes that japicmp notes at the class but that stem from a member, which is inspected by itself. */
     private static boolean concernsMembers(JApiCompatibilityChangeType type) {
-        return type.name().startsWith("METHOD_ADDED") || type.name().contains("NEW_DEFAULT");
+        return type.name().startsWith("METHOD_ADDED") || type.name().contains("NEW_DEFAULT")
+                || type.name().startsWith("METHOD_DEFAULT_ADDED");
     }
 
     private static String parameters(JApiBehavior behavior) {

@@ -18,8 +18,10 @@ final class RobotRealm {
     private static final String LAUNCHER = "lejos.internal.ev3.EV3Wrapper";
 
     private final RobotClassLoader loader;
+    private final Kernel kernel;
 
     RobotRealm(Program program, Kernel kernel, BrickHardware brick, Optional<ProgramBody> body) {
+        this.kernel = kernel;
         try {
             loader = program.classPath().isEmpty()
                     ? RobotClassLoader.ofApplication(Thread.currentThread().getContextClassLoader(), LoadingRules.standard())
@@ -56,6 +58,11 @@ final class RobotRealm {
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException("the robot's own BrickAccess must be there", e);
         }
+    }
+
+    /** Ends the program from outside, e.g. within a physics step, on a thread of its own: shutdown hooks still run. */
+    void end(int status) {
+        kernel.start(loader.programThread("menu", () -> kernel.exit(status)));
     }
 
     /** Lets go of the program: disconnects kernel and brick and closes its jars. */

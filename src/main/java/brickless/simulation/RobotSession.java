@@ -7,6 +7,7 @@ import brickless.device.sensor.Surroundings;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.kernel.ProgramEnd;
+import brickless.loading.hints.HintFinder;
 import brickless.physics.Arena;
 import brickless.physics.RobotBody;
 import brickless.trace.RobotSample;
@@ -36,8 +37,12 @@ final class RobotSession {
         body = arena.robot(name).orElseThrow();
         kernel = new Kernel(kernelSettings(settings, arena));
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
-        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, () -> kernel.exit(1));
-        devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
+        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
+        boolean open = fitted || programBody.isPresent();
+        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : MotorFitting.FIXED, open ? fitting : SensorFitting.FIXED);
+        if (open) {
+            fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
+        }
         realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
 
@@ -45,6 +50,11 @@ final class RobotSession {
         KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(arena.stepNanos())
                 .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
         return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+    }
+
+    /** The keys DOWN and ENTER were held together: the brick's menu ends the program. */
+    private void endByKeys() {
+        realm.end(1);
     }
 
     String name() {
@@ -86,6 +96,7 @@ final class RobotSession {
     void afterStep(long nowNanos) {
         devices.afterStep(nowNanos);
         panel.step(nowNanos);
+        console.step(nowNanos);
     }
 
     RobotSample sample(long nowNanos) {
@@ -115,7 +126,7 @@ final class RobotSession {
             notes.add(RobotFitter.describe(model));
         }
         if (!fitting.plugged().isEmpty()) {
-            notes.add("plugged in when the program opened it: " + String.join(", ", fitting.plugged()));
+            notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");

@@ -53,7 +53,7 @@ final class RunEngine {
         World world = settings.world();
         List<Crew.Member> crew = new Crew(settings, program).members();
         arena = new Arena(world, crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(), ArenaSettings.of(settings.ideal()));
-        new SetupCheck(settings).check(crew, arena);
+        new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
         recorder = new Recorder(folder, new TraceHeader(program.mainClass(), world.name(), crew.stream().map(m -> m.model().name()).toList(),
                 settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));

@@ -205,14 +205,14 @@ class ThreadLifeTest {
             robot.run(() -> {
                 robot.log.add("" + robot.kernel.nextThreadNumber() + robot.kernel.nextThreadNumber());
                 robot.log.add("" + robot.kernel.nextThreadId() + robot.kernel.nextThreadId());
-                robot.log.add("" + new java.util.Random(5).longs(2).sum()
+                robot.log.add("" + new java.util.Random(Seeds.spread(5)).longs(2).sum()
                         + "=" + (robot.kernel.nextRandomLong() + robot.kernel.nextRandomLong()));
                 // 4096 · 1103515245 + 12345 modulo 2^31
                 robot.log.add("" + robot.kernel.nextIdentityHash());
                 robot.sleepMillis(4);
                 robot.log.add(robot.kernel.currentTimeMillis() + " " + robot.kernel.nanoTime());
             });
-            long sum = new java.util.Random(5).longs(2).sum();
+            long sum = new java.util.Random(Seeds.spread(5)).longs(2).sum();
             assertThat(robot.log).containsExactly("01", "12", sum + "=" + sum, "1692860473", "1004 4004000");
         }
     }

@@ -18,11 +18,12 @@ import java.util.stream.Stream;
  * &#64;input text                 a line of System.in
  * &#64;prints text                a line of output; all of them, in order, are the whole output
  * &#64;contains text              the output or the dump has it somewhere
+ * &#64;outside                    the host's network decides about times, so only the output is the same in every run
  * &#64;explore 200 deadlock       one of 200 random schedules ends like this
  * </pre>
  */
 record FixtureProgram(String mainClass, String expected, long limitSeconds, String input, List<String> prints, List<String> contains,
-        String explore) {
+        boolean outside, String explore) {
     /** Every program with a main method. */
     static List<FixtureProgram> all() throws IOException {
         Path sources = sources();
@@ -58,7 +59,7 @@ record FixtureProgram(String mainClass, String expected, long limitSeconds, Stri
         String limit = tags(text, "limit").stream().findFirst().orElse("10 s");
         String input = tags(text, "input").stream().map(line -> line + "\n").collect(Collectors.joining());
         return new FixtureProgram(mainClass, expected.get(0), Long.parseLong(limit.replace(" s", "")), input, tags(text, "prints"),
-                tags(text, "contains"), tags(text, "explore").stream().findFirst().orElse(null));
+                tags(text, "contains"), !tags(text, "outside").isEmpty(), tags(text, "explore").stream().findFirst().orElse(null));
     }
 
     private static List<String> tags(String text, String tag) {

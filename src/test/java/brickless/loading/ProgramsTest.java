@@ -32,7 +32,9 @@ class ProgramsTest {
         }
         ProgramRun again = run(program, settings(program).withBackend(BackendChoice.AUTO));
         assertThat(again.output()).isEqualTo(first.output());
-        assertThat(again.traceHash()).isEqualTo(first.traceHash());
+        if (!program.outside()) {
+            assertThat(again.traceHash()).isEqualTo(first.traceHash());
+        }
         if (program.explore() != null) {
             explore(program);
         }

@@ -1,8 +1,8 @@
 package lejos.realm;
 
 /**
- * Stands in for {@code lejos.internal.ev3.EV3LCDManager} of the published jar, which opens the brick's frame buffer: renamed to it by
- * {@link OriginalScreen}.
+ * Stands in for {@code lejos.internal.ev3.EV3LCDManager} of the published jar, which opens the brick's frame buffer:
+ * renamed to it by {@link OriginalScreen}.
  */
 public final class LayersWithoutDevice {
     private static final LayersWithoutDevice LOCAL = new LayersWithoutDevice();

@@ -9,6 +9,7 @@ import java.util.function.IntFunction;
 import lejos.OriginalJar;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.commons.ClassRemapper;
 import org.objectweb.asm.commons.SimpleRemapper;
 
@@ -50,7 +51,8 @@ public final class OriginalScreen extends URLClassLoader {
         }
         try (InputStream code = getResourceAsStream(STAND_IN + ".class")) {
             ClassWriter writer = new ClassWriter(0);
-            new ClassReader(code).accept(new ClassRemapper(writer, new SimpleRemapper(STAND_IN, MANAGER)), 0);
+            new ClassReader(code)
+                    .accept(new ClassRemapper(writer, new SimpleRemapper(Opcodes.ASM9, STAND_IN, MANAGER)), 0);
             byte[] renamed = writer.toByteArray();
             return defineClass(name, renamed, 0, renamed.length);
         } catch (IOException e) {

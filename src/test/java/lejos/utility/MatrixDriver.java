@@ -74,7 +74,8 @@ final class MatrixDriver {
 
     private void filter(int states, int measured) {
         Matrix noise = Matrix.identity(measured, measured).times(0.5);
-        KalmanFilter filter = new KalmanFilter(matrix(states, states).times(0.1), matrix(states, 1), matrix(measured, states),
+        KalmanFilter filter = new KalmanFilter(matrix(states, states).times(0.1), matrix(states, 1),
+                matrix(measured, states),
                 noise, Matrix.identity(states, states).times(0.2));
         filter.setState(new Matrix(states, 1, 0.5), Matrix.identity(states, states));
         for (int i = 0; i < 3; i++) {

@@ -47,10 +47,14 @@ class MatrixTest {
         Matrix a = new Matrix(2, 3, 1);
         assertThatThrownBy(() -> a.plus(new Matrix(3, 2))).hasMessage("Matrix dimensions must agree.");
         assertThatThrownBy(() -> a.times(new Matrix(2, 3))).hasMessage("Matrix inner dimensions must agree.");
-        assertThatThrownBy(() -> a.getMatrix(0, 2, 0, 0)).isInstanceOf(ArrayIndexOutOfBoundsException.class).hasMessage("Submatrix indices");
-        assertThatThrownBy(() -> a.setMatrix(0, 0, 3, 3, new Matrix(1, 1))).isInstanceOf(ArrayIndexOutOfBoundsException.class);
-        assertThatThrownBy(() -> new Matrix(2, 2).inverse()).isInstanceOf(RuntimeException.class).hasMessage("Matrix is singular.");
-        assertThatThrownBy(() -> Matrix.identity(2, 2).solve(a.transpose())).hasMessage("Matrix row dimensions must agree.");
+        assertThatThrownBy(() -> a.getMatrix(0, 2, 0, 0)).isInstanceOf(ArrayIndexOutOfBoundsException.class)
+                .hasMessage("Submatrix indices");
+        assertThatThrownBy(() -> a.setMatrix(0, 0, 3, 3, new Matrix(1, 1)))
+                .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> new Matrix(2, 2).inverse()).isInstanceOf(RuntimeException.class)
+                .hasMessage("Matrix is singular.");
+        assertThatThrownBy(() -> Matrix.identity(2, 2).solve(a.transpose()))
+                .hasMessage("Matrix row dimensions must agree.");
         assertThatThrownBy(() -> new LUDecomposition(a.transpose()).det()).hasMessage("Matrix must be square.");
     }
 

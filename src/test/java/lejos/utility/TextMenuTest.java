@@ -43,7 +43,8 @@ class TextMenuTest {
         TextMenu menu = new TextMenu(ITEMS);
         assertThat(menu.select()).isEqualTo(8);
         assertThat(text()).isEqualTo("\n two\n three\n four\n five\n six\n seven\n>eight");
-        bench.pressAt((long) bench.millis() + 300, Button.ID_DOWN, 150).pressAt((long) bench.millis() + 700, Button.ID_ENTER, 150);
+        bench.pressAt((long) bench.millis() + 300, Button.ID_DOWN, 150)
+                .pressAt((long) bench.millis() + 700, Button.ID_ENTER, 150);
         assertThat(menu.select(8)).isZero();
         assertThat(text()).startsWith("\n>zero\n one");
     }
@@ -72,7 +73,8 @@ class TextMenuTest {
         presses(Button.ID_ENTER);
         new TextMenu(new String[] {"a"}, 0).select();
         assertThat(text()).isEqualTo("\n>a");
-        assertThatThrownBy(() -> new TextMenu(ITEMS, -1)).isInstanceOf(IllegalArgumentException.class).hasMessage("illegal topRow argument");
+        assertThatThrownBy(() -> new TextMenu(ITEMS, -1)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("illegal topRow argument");
         assertThatThrownBy(() -> new TextMenu(ITEMS, 0, "T")).isInstanceOf(IllegalArgumentException.class);
     }
 

@@ -35,6 +35,11 @@ public final class Hooks {
         return machine;
     }
 
+    /** Whether a kernel is bound. */
+    static boolean isBound() {
+        return !(machine instanceof HostMachine);
+    }
+
     /** A loop goes round, or a lambda body begins. May switch fibres. */
     public static void tick() {
         if ((left -= InstructionCharges.BACK_EDGE_NANOS) < 0) {

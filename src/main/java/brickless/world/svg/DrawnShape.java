@@ -15,12 +15,15 @@ import java.util.List;
  * @param budget what it may still cost
  */
 record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double tolerance, PointBudget budget) {
+    /** Rings thinner than this have no inside. */
+    private static final double FLAT_METRES = 1e-9;
+
     /** Closed rings of the inside, metres on the page; rings without area are left out. */
     List<List<Point2>> fillRings() {
         List<List<Point2>> rings = new ArrayList<>();
         for (SubPath path : paths) {
             List<Point2> ring = toMetres(path.points());
-            if (ring.size() >= 3 && Math.abs(Rings.doubleArea(ring)) > 1e-12) {
+            if (!Rings.isFlat(ring, FLAT_METRES)) {
                 rings.add(ring);
             }
         }

@@ -20,6 +20,23 @@ final class Rings {
         return sum;
     }
 
+    /** Whether all points lie on one line, so that the ring has no inside. (A bow tie has one, although its signed area is 0.) */
+    static boolean isFlat(List<Point2> ring, double nearest) {
+        Point2 first = ring.get(0);
+        Point2 far = first;
+        for (Point2 p : ring) {
+            far = distance(first, p) > distance(first, far) ? p : far;
+        }
+        double length = distance(first, far);
+        for (Point2 p : ring) {
+            double cross = (far.x() - first.x()) * (p.y() - first.y()) - (far.y() - first.y()) * (p.x() - first.x());
+            if (Math.abs(cross) > nearest * length) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     static List<Point2> clockwise(List<Point2> ring) {
         if (doubleArea(ring) >= 0) {
             return ring;

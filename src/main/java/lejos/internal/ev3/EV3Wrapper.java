@@ -7,8 +7,8 @@ import java.lang.reflect.Method;
 import lejos.hardware.lcd.LCDOutputStream;
 
 /**
- * Starts a program the way the brick's menu does: prepares the layers of the screen, duplicates {@code System.out} and {@code System.err} to
- * the screen, shows exceptions that nobody caught, and calls {@code main}.
+ * Starts a program the way the brick's menu does: prepares the layers of the screen, duplicates {@code System.out} and
+ * {@code System.err} to the screen, shows exceptions that nobody caught, and calls {@code main}.
  */
 public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
     private static final String PRINTED_LAYER = "STDOUT";
@@ -55,7 +55,9 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
         Thread.setDefaultUncaughtExceptionHandler(new EV3Wrapper());
     }
 
-    /** Reports the exception, buzzes, and shows it on the screen: until ESCAPE if somebody is there, else for a moment. */
+    /**
+     * Reports the exception, buzzes, and shows it on the screen: until ESCAPE if somebody is there, else for a moment.
+     */
     @Override
     public void uncaughtException(Thread t, Throwable e) {
         Throwable shown = e instanceof InvocationTargetException && e.getCause() != null ? e.getCause() : e;

@@ -2,7 +2,9 @@ package lejos.internal.ev3;
 
 import lejos.hardware.lcd.GraphicsLCD;
 
-/** Draws outlines pixel by pixel on a surface, solid or dotted, in the surface's colour. Coordinates are untranslated. */
+/**
+ * Draws outlines pixel by pixel on a surface, solid or dotted, in the surface's colour. Coordinates are untranslated.
+ */
 final class Pen {
     private final EV3GraphicsLCD surface;
     private int style = GraphicsLCD.SOLID;
@@ -19,7 +21,10 @@ final class Pen {
         style = newStyle;
     }
 
-    /** A line with both ends, by Bresenham's rule; dotted lines show the start, the next pixel, and every second pixel after it. */
+    /**
+     * A line with both ends, by Bresenham's rule; dotted lines show the start, the next pixel, and every second pixel
+     * after it.
+     */
     void line(int x0, int y0, int x1, int y1) {
         int dx = Math.abs(x1 - x0);
         int dy = Math.abs(y1 - y0);

@@ -48,4 +48,34 @@ public interface MoveController extends MoveProvider {
 
     /** The acceleration set, in units per second squared. */
     double getLinearAcceleration();
+
+    /**
+     * The same as {@link #setLinearSpeed}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default void setTravelSpeed(double speed) {
+        setLinearSpeed(speed);
+    }
+
+    /**
+     * The same as {@link #getLinearSpeed}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default double getTravelSpeed() {
+        return getLinearSpeed();
+    }
+
+    /**
+     * The same as {@link #getMaxLinearSpeed}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default double getMaxTravelSpeed() {
+        return getMaxLinearSpeed();
+    }
 }

@@ -33,4 +33,44 @@ public interface RotateMoveController extends MoveController {
 
     /** Starts turning to the left and returns at once. */
     void rotateLeft();
+
+    /**
+     * The same as {@link #setAngularSpeed}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default void setRotateSpeed(double speed) {
+        setAngularSpeed(speed);
+    }
+
+    /**
+     * The same as {@link #getAngularSpeed}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default double getRotateSpeed() {
+        return getAngularSpeed();
+    }
+
+    /**
+     * The same as {@link #getMaxAngularSpeed}, by a name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default float getMaxRotateSpeed() {
+        return (float) getMaxAngularSpeed();
+    }
+
+    /**
+     * The same as {@link #getMaxAngularSpeed}, by a name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    default double getRotateMaxSpeed() {
+        return getMaxAngularSpeed();
+    }
 }

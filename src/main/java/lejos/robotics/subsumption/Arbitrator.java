@@ -100,6 +100,16 @@ public class Arbitrator {
     }
 
     /**
+     * The same as {@link #go}, by its name before leJOS 0.9.1.
+     *
+     * @deprecated not in leJOS 0.9.1
+     */
+    @Deprecated
+    public void start() {
+        go();
+    }
+
+    /**
      * Ends arbitration: no behaviour is asked, told or started any more, and {@link #go} returns when the running
      * action does. Returns at once, and does not suppress that action.
      */

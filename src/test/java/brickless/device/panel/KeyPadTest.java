@@ -47,7 +47,8 @@ class KeyPadTest {
         assertThat(bench.keys.heldByHand()).isZero();
         bench.keys.simulate(ENTER | LEFT, false);
         assertThat(bench.keys.pressed()).isZero();
-        assertThat(bench.events()).containsExactly("key 2 down by HAND", "key 16 down by PROGRAM", "key 18 up by PROGRAM");
+        assertThat(bench.events())
+                .containsExactly("key 2 down by HAND", "key 16 down by PROGRAM", "key 18 up by PROGRAM");
     }
 
     @Test

@@ -45,8 +45,10 @@ final class DrawingDriver {
             case 3 -> surface.drawString("a\u00e4bc", x(), y(), anchor(), random.nextBoolean());
             case 4 -> surface.drawSubstring("abcabc", random.nextInt(3), random.nextInt(4), x(), y(), anchor());
             case 5 -> surface.drawImage(picture(), x(), y(), anchor());
-            case 6 -> surface.drawRegion(picture(), random.nextInt(6), random.nextInt(6), 12, 7, transform(), x(), y(), anchor());
-            case 7 -> surface.drawRegionRop(picture(), random.nextInt(9), random.nextInt(9), size(), size(), x(), y(), anchor(), operation());
+            case 6 -> surface.drawRegion(picture(), random.nextInt(6), random.nextInt(6), 12, 7, transform(), x(), y(),
+                    anchor());
+            case 7 -> surface.drawRegionRop(picture(), random.nextInt(9), random.nextInt(9), size(), size(), x(), y(),
+                    anchor(), operation());
             case 8 -> surface.bitBlt(picture().getData(), 21, 15, random.nextInt(24) - 2, random.nextInt(18) - 2,
                     memory, WIDTH, HEIGHT, x(), y(), size(), size(), operation());
             default -> copyWithin(random.nextInt(20));

@@ -28,7 +28,8 @@ class GraphicsTest {
                 }
             }
         }
-        StringBuilder rows = new StringBuilder((right - left + 1) + "x" + (bottom - top + 1) + " at " + left + "," + top);
+        StringBuilder rows = new StringBuilder((right - left + 1) + "x" + (bottom - top + 1) + " at " + left + ","
+                + top);
         for (int y = top; y <= bottom; y++) {
             rows.append('\n');
             for (int x = left; x <= right; x++) {
@@ -224,11 +225,14 @@ class GraphicsTest {
 
     @Test
     void badArgumentsAreRefused() {
-        assertThatThrownBy(() -> g.setColor(0, 256, 0)).isInstanceOf(IllegalArgumentException.class).hasMessage("bad color value");
+        assertThatThrownBy(() -> g.setColor(0, 256, 0)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("bad color value");
         assertThatThrownBy(() -> g.setColor(-1, 0, 0)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> g.setStrokeStyle(2)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> g.drawSubstring("abc", 2, 5, 0, 0, 0)).isInstanceOf(StringIndexOutOfBoundsException.class);
-        assertThatThrownBy(() -> g.drawChars(new char[3], 2, 5, 0, 0, 0)).isInstanceOf(ArrayIndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> g.drawSubstring("abc", 2, 5, 0, 0, 0))
+                .isInstanceOf(StringIndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> g.drawChars(new char[3], 2, 5, 0, 0, 0))
+                .isInstanceOf(ArrayIndexOutOfBoundsException.class);
         assertThatThrownBy(() -> g.drawString(null, 0, 0, 0)).isInstanceOf(NullPointerException.class);
     }
 }

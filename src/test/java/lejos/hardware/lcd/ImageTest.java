@@ -69,6 +69,7 @@ class ImageTest {
 
     @Test
     void partsOutsideThePictureAreWhite() {
-        assertThat(rows(Image.createImage(picture(), 1, 0, 3, 3, GraphicsLCD.TRANS_MIRROR))).isEqualTo("...\n..#\n...\n");
+        assertThat(rows(Image.createImage(picture(), 1, 0, 3, 3, GraphicsLCD.TRANS_MIRROR)))
+                .isEqualTo("...\n..#\n...\n");
     }
 }

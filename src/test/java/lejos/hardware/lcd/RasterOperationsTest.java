@@ -65,7 +65,8 @@ class RasterOperationsTest {
             for (int x = 0; x < 24; x++) {
                 boolean copied = x >= to && x < to + width;
                 int expected = copied ? source[(from + x - to) / 8] >> (from + x - to) % 8 & 1 : 1;
-                assertThat(picture.getData()[x / 8] >> x % 8 & 1).as("index %d, column %d", index, x).isEqualTo(expected);
+                assertThat(picture.getData()[x / 8] >> x % 8 & 1).as("index %d, column %d", index, x)
+                        .isEqualTo(expected);
             }
         }
     }
@@ -75,7 +76,8 @@ class RasterOperationsTest {
         for (int index = 0; index < 25; index++) {
             int dx = index % 5 - 2;
             int dy = index / 5 - 2;
-            byte[] before = {(byte) 0b10010110, 0b01101011, (byte) 0b11100010, 0b00111001, 0b01010101, 0b00001111, 0b01110000, 0b00100110};
+            byte[] before = {(byte) 0b10010110, 0b01101011, (byte) 0b11100010, 0b00111001, 0b01010101, 0b00001111,
+                    0b01110000, 0b00100110};
             Image picture = new Image(8, 8, before.clone());
             picture.getGraphics().copyArea(2, 2, 4, 4, 2 + dx, 2 + dy, 0);
             for (int y = 0; y < 4; y++) {

@@ -186,7 +186,8 @@ class ScreenTextTest {
         assertThat(Font.getFont(0, 0, Font.SIZE_LARGE)).isSameAs(Font.getLargeFont());
         assertThat(Font.getFont(0, 0, 99)).isSameAs(Font.getDefaultFont());
         Font large = Font.getLargeFont();
-        assertThat(new int[] {large.width, large.height, large.base, large.glyphWidth, large.glyphCount, large.firstChar, large.glyphs.length})
+        assertThat(new int[] {large.width, large.height, large.base, large.glyphWidth, large.glyphCount,
+                large.firstChar, large.glyphs.length})
                 .containsExactly(20, 32, 28, 20, 96, 32, 7680);
         assertThat(Font.getSmallFont().stringWidth("four")).isEqualTo(24);
         assertThat(Font.getDefaultFont().getBaselinePosition()).isEqualTo(14);

@@ -70,7 +70,8 @@ class EV3WrapperTest {
     void layersAreMadeInTheOrderTheyAreCycledThrough() throws Throwable {
         run(Printing.class);
         EV3LCDManager.LCDLayer[] layers = EV3LCDManager.getLocalLCDManager().getLayers();
-        assertThat(layers).extracting(EV3LCDManager.LCDLayer::getName).containsExactly("LCD", "STDOUT", "EXCEPTION", "SYSTEM");
+        assertThat(layers).extracting(EV3LCDManager.LCDLayer::getName)
+                .containsExactly("LCD", "STDOUT", "EXCEPTION", "SYSTEM");
         assertThat(layers).extracting(EV3LCDManager.LCDLayer::isOpen).containsExactly(true, true, false, false);
     }
 
