@@ -15,14 +15,17 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TableSwitchInsnNode;
 
 /**
- * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in a loop must reach the
- * budget check too.
+ * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in
+ * a loop must reach the budget check too.
  */
 final class BackEdgeCharges implements MethodPass {
     private static final String LAMBDA_PREFIX = "lambda$";
 
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
+        if (DrawingLoops.contain(type.name)) {
+            return;
+        }
         Map<AbstractInsnNode, Integer> positions = positions(method);
         for (AbstractInsnNode node : method.instructions.toArray()) {
             for (LabelNode target : targets(node)) {

@@ -8,6 +8,7 @@ import brickless.kernel.Processor;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.SensorType;
+import java.util.function.Function;
 
 /**
  * An input port: the socket that programs use and the sensor plugged into it.
@@ -60,11 +61,16 @@ public final class SensorPortDevice implements SensorSocket {
      * Plugs a sensor in, replacing what was there; null empties the port. The mount's own port number is not looked at.
      */
     public void plug(SensorMount mount) {
+        plug(mount, SensorModel::of);
+    }
+
+    /** Plugs in the device that {@code device} makes for its place. */
+    void plug(SensorMount mount, Function<SensorSite, SensorModel> device) {
         synchronized (lock()) {
             if (sensor != null) {
                 sensor.powerOff();
             }
-            sensor = mount == null ? null : SensorModel.of(new SensorSite(robot, mount, surroundings, remote));
+            sensor = mount == null ? null : device.apply(new SensorSite(robot, mount, surroundings, remote));
         }
     }
 
@@ -151,6 +157,7 @@ public final class SensorPortDevice implements SensorSocket {
         return sensor;
     }
 
+    /** The time; not to be asked under the lock, because a live clock has a lock of its own. */
     long nowNanos() {
         return processor.nowNanos();
     }
