@@ -76,7 +76,7 @@ class FileSafetyTest {
 
     @Test void deepNestingIsRefused() {
         assertThat(worldError("<svg viewBox='0 0 9 9'>" + "<g>".repeat(5_000) + "</g>".repeat(5_000) + "</svg>"))
-                .isEqualTo("test.svg:1: elements are nested deeper than 100");
+                .isEqualTo("test.svg:1: elements are nested deeper than 80");
     }
 
     @Test void tooManyElementsAreRefused() {
