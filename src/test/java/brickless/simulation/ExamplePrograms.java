@@ -32,7 +32,7 @@ final class ExamplePrograms implements AutoCloseable {
 
     /** The program with this main class. */
     Program program(String main) {
-        return new Program(main, compiled.classPath(), Optional.empty());
+        return new Program(main, main, compiled.classPath(), Optional.empty());
     }
 
     /** Settings for a bundled world with the educator robot. */
