@@ -14,8 +14,9 @@ function plotsOf(robot) {
   }
   for (const sensor of robot.sensors.filter((one) => one.values.length > 0)) {
     const series = sensor.values.map((values, i) => ({name: sensor.values.length > 1 ? String(i) : '', colour: `--series-${i % 4}`, values}));
-    plots.push({id: `s${sensor.port}-${sensor.kind}`, title: `S${sensor.port} ${sensorName(sensor.kind)}`, unit: 'as measured', places: 1, series, on: true,
-      steps: /touch/.test(sensor.kind)});
+    const whole = sensor.values.every((values) => values.every((value) => Number.isNaN(value) || Number.isInteger(value)));
+    plots.push({id: `s${sensor.port}-${sensor.kind}`, title: `S${sensor.port} ${sensorName(sensor.kind)}`, unit: 'raw', places: whole ? 0 : 1, series, on: true,
+      steps: sensor.kind.includes('touch')});
   }
   plots.push({id: 'heading', title: 'Heading', unit: '°', places: 0, series: [{name: '', colour: '--series-0', values: robot.heading}], on: false});
   plots.push({id: 'battery', title: 'Battery', unit: 'V', places: 2, series: [{name: '', colour: '--series-1', values: robot.volts}], on: false});
