@@ -12,7 +12,8 @@ import java.util.List;
 final class RingNesting {
     private RingNesting() {}
 
-    static List<List<Point2>> polygons(List<List<Point2>> rings, boolean evenOdd) {
+    static List<List<Point2>> polygons(List<List<Point2>> rings, boolean evenOdd)
+            throws MalformedValueException {
         List<List<Point2>> shells = new ArrayList<>();
         List<List<Point2>> holes = new ArrayList<>();
         for (List<Point2> ring : rings) {
