@@ -2,6 +2,7 @@ package brickless.cli;
 
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
@@ -33,7 +34,7 @@ public final class Main implements Runnable {
         CommandLine line = new CommandLine(new Main(out, err));
         line.setOut(new PrintWriter(out, true));
         line.setErr(new PrintWriter(err, true));
-        line.setParameterExceptionHandler((failure, arguments) -> usage(failure.getCommandLine(), failure.getMessage()));
+        line.setParameterExceptionHandler((failure, arguments) -> usage(failure.getCommandLine(), explain(failure)));
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
             if (failure instanceof UsageException) {
                 return usage(command, failure.getMessage());
@@ -51,6 +52,17 @@ public final class Main implements Runnable {
     /** Where explanations of failures go. */
     PrintStream err() {
         return err;
+    }
+
+    /** One line; for an option that is not known, which ones it may have been meant to be. */
+    private static String explain(CommandLine.ParameterException failure) {
+        if (failure instanceof CommandLine.UnmatchedArgumentException unmatched && unmatched.isUnknownOption()) {
+            List<String> meant = unmatched.getSuggestions();
+            List<String> all = failure.getCommandLine().getCommandSpec().options().stream().map(option -> option.longestName()).toList();
+            return "unknown option " + unmatched.getUnmatched().get(0) + "; " + (meant.isEmpty() ? "allowed: " + String.join(", ", all)
+                    : "did you mean " + String.join(" or ", meant) + "?");
+        }
+        return failure.getMessage();
     }
 
     private static int usage(CommandLine command, String message) {

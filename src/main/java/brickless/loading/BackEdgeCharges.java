@@ -15,8 +15,8 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TableSwitchInsnNode;
 
 /**
- * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in a loop must reach the
- * budget check too.
+ * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in
+ * a loop must reach the budget check too.
  */
 final class BackEdgeCharges implements MethodPass {
     private static final String LAMBDA_PREFIX = "lambda$";

@@ -15,8 +15,9 @@ import org.objectweb.asm.tree.TryCatchBlockNode;
 import org.objectweb.asm.tree.VarInsnNode;
 
 /**
- * Call depth: methods that call others count themselves in and out, so that endless recursion ends in a StackOverflowError at the same depth
- * on every host. A local variable keeps the method's depth for returns and handlers.
+ * Call depth: methods that call others count themselves in and out, so that endless recursion ends in a
+ * StackOverflowError at the same depth on every host. A local variable keeps the method's depth for returns and
+ * handlers.
  */
 final class CallDepth implements MethodPass {
     @Override
@@ -44,7 +45,8 @@ final class CallDepth implements MethodPass {
 
     private static boolean callsOthers(MethodNode method) {
         for (AbstractInsnNode node : method.instructions) {
-            if (node.getOpcode() == Opcodes.INVOKEDYNAMIC || node instanceof MethodInsnNode && !isHarmless((MethodInsnNode) node)) {
+            if (node.getOpcode() == Opcodes.INVOKEDYNAMIC || node instanceof MethodInsnNode
+                    && !isHarmless((MethodInsnNode) node)) {
                 return true;
             }
         }

@@ -62,7 +62,10 @@ final class Code {
         return instruction.getOpcode() >= Opcodes.IRETURN && instruction.getOpcode() <= Opcodes.RETURN;
     }
 
-    /** Inserts code before a method's first instruction, on the method's first line, so that stack traces from there have a line. */
+    /**
+     * Inserts code before a method's first instruction, on the method's first line, so that stack traces from there
+     * have a line.
+     */
     static void insertAtStart(MethodNode method, InsnList code) {
         for (AbstractInsnNode node : method.instructions) {
             if (node instanceof LineNumberNode) {
@@ -76,8 +79,8 @@ final class Code {
     }
 
     /**
-     * The last node that belongs to the start of a handler: insertions go after it. A label that follows may be one that frames refer to for
-     * a NEW instruction, so nothing may come between it and that instruction.
+     * The last node that belongs to the start of a handler: insertions go after it. A label that follows may be one
+     * that frames refer to for a NEW instruction, so nothing may come between it and that instruction.
      */
     static AbstractInsnNode startOf(LabelNode handler) {
         AbstractInsnNode start = handler;

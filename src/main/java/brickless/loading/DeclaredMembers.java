@@ -22,7 +22,8 @@ record DeclaredMembers(Set<String> names, List<String> parents) {
         Set<String> names = new HashSet<>();
         reader.accept(new ClassVisitor(Opcodes.ASM9) {
             @Override
-            public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+            public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+                    String[] exceptions) {
                 names.add(name + descriptor);
                 return null;
             }

@@ -32,7 +32,8 @@ public final class LejosReferences {
      * @param available the class file under an internal name such as {@code lejos/hardware/Sound}, or null
      * @throws UnloadableClassError if a class file of the program is damaged or too new
      */
-    public static List<MissingReference> missing(Collection<byte[]> programClasses, Function<String, byte[]> available) {
+    public static List<MissingReference> missing(Collection<byte[]> programClasses, Function<String,
+            byte[]> available) {
         LejosReferences references = new LejosReferences(available);
         for (byte[] bytes : programClasses) {
             ClassReader reader = ClassFiles.reader(new ClassFile(bytes, "program"), "class of the program");
@@ -40,7 +41,8 @@ public final class LejosReferences {
         }
         Set<MissingReference> missing = new TreeSet<>();
         for (byte[] bytes : programClasses) {
-            new ClassReader(bytes).accept(new ReferenceReader((reference, user, line) -> references.check(reference, user, line, missing)),
+            new ClassReader(bytes).accept(new ReferenceReader(
+                    (reference, user, line) -> references.check(reference, user, line, missing)),
                     ClassReader.SKIP_FRAMES);
         }
         return List.copyOf(missing);
@@ -53,7 +55,8 @@ public final class LejosReferences {
         boolean known = declared(reference.owner()) != null;
         if (!known || !reference.member().isEmpty() && !has(reference.owner(), reference.member(), new HashSet<>())) {
             String member = known ? reference.member() : "";
-            missing.add(new MissingReference(reference.owner().replace('/', '.'), member, user.replace('/', '.'), line));
+            missing.add(new MissingReference(reference.owner().replace('/', '.'), member, user.replace('/', '.'),
+                    line));
         }
     }
 
@@ -62,7 +65,8 @@ public final class LejosReferences {
         if (members == null || !seen.add(owner)) {
             return false;
         }
-        return members.names().contains(member) || members.parents().stream().anyMatch(parent -> has(parent, member, seen));
+        return members.names().contains(member)
+                || members.parents().stream().anyMatch(parent -> has(parent, member, seen));
     }
 
     private DeclaredMembers declared(String name) {

@@ -8,7 +8,8 @@ package brickless.loading;
  * @param usedBy binary name of the program's class
  * @param line its line, 0 if unknown
  */
-public record MissingReference(String owner, String member, String usedBy, int line) implements Comparable<MissingReference> {
+public record MissingReference(String owner, String member, String usedBy, int line)
+        implements Comparable<MissingReference> {
     /** Such as {@code lejos.hardware.Sound.sing(I)V used by Singer:12}. */
     @Override
     public String toString() {

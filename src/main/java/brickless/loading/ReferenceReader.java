@@ -68,7 +68,8 @@ final class ReferenceReader extends ClassVisitor {
     }
 
     @Override
-    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+            String[] exceptions) {
         line = 0;
         refersTo(Type.getMethodType(descriptor));
         for (String exception : exceptions == null ? new String[0] : exceptions) {

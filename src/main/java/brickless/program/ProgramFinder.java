@@ -2,6 +2,7 @@ package brickless.program;
 
 import brickless.loading.MainClasses;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -75,11 +76,24 @@ public final class ProgramFinder {
                     return checked(name, List.of(entry), name);
                 }
             }
-            if (ClassLoader.getSystemResource(name.replace('.', '/') + ".class") != null) {
-                return Program.onClassPath(wantedMain.orElse(name));
+            if (ClassLoader.getSystemResource(fileOf(name)) != null) {
+                return onClassPath(wantedMain.orElse(name), name);
             }
         }
         throw new ProgramException(name + ": no such program: neither a file or directory in " + directory + " nor a class on the class path");
+    }
+
+    private static String fileOf(String className) {
+        return className.replace('.', '/') + ".class";
+    }
+
+    private static Program onClassPath(String main, String name) throws ProgramException, IOException {
+        try (InputStream in = ClassLoader.getSystemResourceAsStream(fileOf(main))) {
+            if (in == null || !MainClasses.hasMain(in.readAllBytes())) {
+                throw new ProgramException(name + ": class " + main + " has no public static void main(String[])");
+            }
+        }
+        return Program.onClassPath(main);
     }
 
     private Program fromDirectory(Path path, String name) throws ProgramException, IOException {
@@ -157,7 +171,7 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
                     + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
         }
-        return new Program(main, all, Optional.empty());
+        return new Program(name, main, all, Optional.empty());
     }
 
     private List<Path> resolvedClassPath() {

@@ -100,6 +100,7 @@ final class RobotSession {
     void afterStep(long nowNanos) {
         devices.afterStep(nowNanos);
         panel.step(nowNanos);
+        console.step(nowNanos);
     }
 
     RobotSample sample(long nowNanos) {

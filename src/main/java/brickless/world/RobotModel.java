@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param sensors sensors, those on turrets included
  * @param turrets groups turned by a motor
  * @param claws limited-angle mechanisms
- * @param svg the drawing's text, for pictures of a run
+ * @param svg the drawing's text with its images embedded, for pictures of a run
  */
 public record RobotModel(String name, List<List<Point2>> chassis, double massKilograms, List<Wheel> wheels, List<Caster> casters,
         List<SensorMount> sensors, List<Turret> turrets, List<Claw> claws, String svg) {

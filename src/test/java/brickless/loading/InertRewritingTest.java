@@ -20,7 +20,8 @@ class InertRewritingTest {
 
     private Object call(Object receiver, String fixture, String name, Object... arguments) throws Throwable {
         Class<?> type = Class.forName(FIXTURES + fixture, true, loader);
-        Method method = Arrays.stream(type.getMethods()).filter(candidate -> candidate.getName().equals(name)).findFirst().get();
+        Method method = Arrays.stream(type.getMethods()).filter(candidate -> candidate.getName().equals(name))
+                .findFirst().get();
         try {
             return method.invoke(receiver, arguments);
         } catch (InvocationTargetException thrown) {
@@ -63,7 +64,8 @@ class InertRewritingTest {
     @Test
     void waitingWithoutTheMonitorIsRefused() throws Throwable {
         Object locks = Class.forName(FIXTURES + "Locks", true, loader).getConstructor().newInstance();
-        assertThatThrownBy(() -> call(locks, "Locks", "waiting", "lock")).isInstanceOf(IllegalMonitorStateException.class);
+        assertThatThrownBy(() -> call(locks, "Locks", "waiting", "lock"))
+                .isInstanceOf(IllegalMonitorStateException.class);
     }
 
     @Test

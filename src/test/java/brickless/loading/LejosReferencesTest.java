@@ -22,7 +22,8 @@ class LejosReferencesTest {
 
     private static byte[] beeper() {
         ClassWriter writer = type("lejos/Beeper", OBJECT);
-        writer.visitMethod(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_NATIVE, "beep", "()V", null, null).visitEnd();
+        writer.visitMethod(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_NATIVE, "beep", "()V", null, null)
+                .visitEnd();
         writer.visitField(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, "volume", "I", null, null).visitEnd();
         return writer.toByteArray();
     }
@@ -53,8 +54,10 @@ class LejosReferencesTest {
 
     @Test
     void missingClassesAndMembersAreListedWithTheirLines() {
-        Map<String, byte[]> lejos = Map.of("lejos/Beeper", beeper(), "lejos/LoudBeeper", type("lejos/LoudBeeper", "lejos/Beeper").toByteArray());
-        assertThat(LejosReferences.missing(List.of(program()), lejos::get)).extracting(MissingReference::toString).containsExactly(
+        Map<String, byte[]> lejos = Map.of("lejos/Beeper", beeper(), "lejos/LoudBeeper",
+                type("lejos/LoudBeeper", "lejos/Beeper").toByteArray());
+        assertThat(LejosReferences.missing(List.of(program()), lejos::get)).extracting(MissingReference::toString)
+                .containsExactly(
                 "lejos.Beeper.sing()V used by my.Program:11",
                 "lejos.Beeper.volume:J used by my.Program:14",
                 "lejos.Singer used by my.Program:12");

@@ -54,7 +54,8 @@ class OldClassFilesTest {
     private static byte[] old(int version) {
         ClassWriter writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
         writer.visit(version, Opcodes.ACC_PUBLIC | Opcodes.ACC_SUPER, "Old", null, "java/lang/Object", null);
-        MethodVisitor locked = writer.visitMethod(PUBLIC_STATIC | Opcodes.ACC_SYNCHRONIZED, "locked", "()I", null, null);
+        MethodVisitor locked = writer.visitMethod(PUBLIC_STATIC | Opcodes.ACC_SYNCHRONIZED, "locked", "()I", null,
+                null);
         locked.visitCode();
         locked.visitInsn(Opcodes.ICONST_3);
         locked.visitInsn(Opcodes.IRETURN);
@@ -70,7 +71,10 @@ class OldClassFilesTest {
         return writer.toByteArray();
     }
 
-    /** {@code x = argument; do { x = x * 2 + 3 in a subroutine } while (x < 0); String.valueOf(x); return x + 3}, with a handler around. */
+    /**
+     * {@code x = argument; do { x = x * 2 + 3 in a subroutine } while (x < 0); String.valueOf(x); return x + 3}, with a
+     * handler around.
+     */
     private static void viaSubroutine(MethodVisitor method) {
         Label start = new Label();
         Label handler = new Label();

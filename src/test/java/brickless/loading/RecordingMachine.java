@@ -22,7 +22,8 @@ final class RecordingMachine implements InvocationHandler {
     private int drawn;
 
     VirtualMachine machine() {
-        return (VirtualMachine) Proxy.newProxyInstance(VirtualMachine.class.getClassLoader(), new Class<?>[] {VirtualMachine.class}, this);
+        return (VirtualMachine) Proxy.newProxyInstance(VirtualMachine.class.getClassLoader(),
+                new Class<?>[] {VirtualMachine.class}, this);
     }
 
     @Override

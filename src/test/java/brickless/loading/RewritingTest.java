@@ -39,7 +39,8 @@ class RewritingTest {
     }
 
     private Object callOn(Object receiver, String fixture, String name, Object... arguments) throws Throwable {
-        Method method = Arrays.stream(fixture(fixture).getMethods()).filter(candidate -> candidate.getName().equals(name)).findFirst().get();
+        Method method = Arrays.stream(fixture(fixture).getMethods())
+                .filter(candidate -> candidate.getName().equals(name)).findFirst().get();
         try {
             return method.invoke(receiver, arguments);
         } catch (InvocationTargetException thrown) {
@@ -67,7 +68,8 @@ class RewritingTest {
     void jumpsBackOutOfASwitchAreCharged() throws Throwable {
         Object loops = fixture("Loops").getConstructor().newInstance();
         assertThat(callOn(loops, "Loops", "state", 5)).isEqualTo(5);
-        assertThat(spent()).as("5 times continue, 5 times the test at the end").isEqualTo(10L * InstructionCharges.BACK_EDGE_NANOS);
+        assertThat(spent()).as("5 times continue, 5 times the test at the end")
+                .isEqualTo(10L * InstructionCharges.BACK_EDGE_NANOS);
     }
 
     @Test
@@ -109,7 +111,8 @@ class RewritingTest {
     @Test
     void aFailingBlockLeavesItsMonitor() throws Throwable {
         Object locks = fixture("Locks").getConstructor().newInstance();
-        assertThatThrownBy(() -> callOn(locks, "Locks", "failingBlock", "lock")).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> callOn(locks, "Locks", "failingBlock", "lock"))
+                .isInstanceOf(IllegalStateException.class);
         assertThat(machine.calls).containsExactly("monitorEnter String", "monitorExit String");
     }
 
@@ -124,7 +127,8 @@ class RewritingTest {
     void aFailingSynchronizedMethodLeavesItsMonitor() throws Throwable {
         Object locks = fixture("Locks").getConstructor().newInstance();
         Object texts = new String[] {"a", null};
-        assertThatThrownBy(() -> callOn(locks, "Locks", "failingMethod", texts)).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> callOn(locks, "Locks", "failingMethod", texts))
+                .isInstanceOf(IllegalStateException.class);
         assertThat(machine.calls).containsExactly("monitorEnter Locks", "monitorExit Locks");
     }
 
@@ -138,15 +142,18 @@ class RewritingTest {
     void waitAndNotifyGoToTheMachine() throws Throwable {
         Object locks = fixture("Locks").getConstructor().newInstance();
         callOn(locks, "Locks", "waiting", "lock");
-        assertThat(machine.calls).containsExactly("monitorWait String 0", "monitorWait String 5000000", "monitorWait String 5000007",
+        assertThat(machine.calls).containsExactly("monitorWait String 0", "monitorWait String 5000000",
+                "monitorWait String 5000007",
                 "monitorNotify String false", "monitorNotify String true");
     }
 
     @Test
     void threadCallsGoToTheMachine() throws Throwable {
         call("Calls", "threads", call("Calls", "thread", (Runnable) () -> { }));
-        assertThat(machine.calls).containsExactly("sleep 5000000", "sleep 1000002", "sleep 1000000000", "yieldProcessor",
-                "start ProgramThread", "join ProgramThread 3000000", "interrupt ProgramThread", "isAlive ProgramThread", "park 9",
+        assertThat(machine.calls).containsExactly("sleep 5000000", "sleep 1000002", "sleep 1000000000",
+                "yieldProcessor",
+                "start ProgramThread", "join ProgramThread 3000000", "interrupt ProgramThread",
+                "isAlive ProgramThread", "park 9",
                 "unpark ProgramThread");
     }
 
@@ -174,7 +181,8 @@ class RewritingTest {
     @Test
     void theConsoleIsTheMachines() throws Throwable {
         call("Calls", "print", 0.1 + 0.2);
-        assertThat(machine.printed.toString(StandardCharsets.UTF_8).replace("\r", "")).isEqualTo("0.30000000000000004\nerror");
+        assertThat(machine.printed.toString(StandardCharsets.UTF_8).replace("\r", ""))
+                .isEqualTo("0.30000000000000004\nerror");
     }
 
     @Test
@@ -190,7 +198,8 @@ class RewritingTest {
 
     @Test
     void concatenationConvertsNumbersTheSameOnEveryJdk() throws Throwable {
-        assertThat(call("Calls", "concatenated", 4 * Double.MIN_VALUE, 8 * Float.MIN_VALUE)).isEqualTo("a2.0E-3231.1E-441c");
+        assertThat(call("Calls", "concatenated", 4 * Double.MIN_VALUE, 8 * Float.MIN_VALUE))
+                .isEqualTo("a2.0E-3231.1E-441c");
     }
 
     @Test
@@ -236,8 +245,10 @@ class RewritingTest {
 
     @Test
     void tooDeepRecursionOverflowsAndOneLessDoesNot() throws Throwable {
-        assertThat(call("Handlers", "recurse", InstructionCharges.LARGEST_CALL_DEPTH - 1)).isEqualTo(InstructionCharges.LARGEST_CALL_DEPTH - 1);
-        assertThatThrownBy(() -> call("Handlers", "recurse", InstructionCharges.LARGEST_CALL_DEPTH)).isInstanceOf(StackOverflowError.class);
+        assertThat(call("Handlers", "recurse", InstructionCharges.LARGEST_CALL_DEPTH - 1))
+                .isEqualTo(InstructionCharges.LARGEST_CALL_DEPTH - 1);
+        assertThatThrownBy(() -> call("Handlers", "recurse", InstructionCharges.LARGEST_CALL_DEPTH))
+                .isInstanceOf(StackOverflowError.class);
     }
 
     @Test

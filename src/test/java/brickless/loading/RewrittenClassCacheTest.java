@@ -9,8 +9,10 @@ import org.junit.jupiter.api.Test;
 
 /** Entries fit only where the same is true about other classes, and old ones make room. */
 class RewrittenClassCacheTest {
-    private static final ClassSummary HARMLESS = new ClassSummary("java/lang/Object", false, Set.of(), Set.of(), Initialisation.HARMLESS);
-    private static final ClassSummary BLOCKING = new ClassSummary("java/lang/Object", false, Set.of(), Set.of(), Initialisation.MAY_BLOCK);
+    private static final ClassSummary HARMLESS =
+            new ClassSummary("java/lang/Object", false, Set.of(), Set.of(), Initialisation.HARMLESS);
+    private static final ClassSummary BLOCKING =
+            new ClassSummary("java/lang/Object", false, Set.of(), Set.of(), Initialisation.MAY_BLOCK);
 
     private final RewrittenClassCache cache = new RewrittenClassCache(100);
 
@@ -37,6 +39,7 @@ class RewrittenClassCacheTest {
 
     @Test
     void keysDependOnContent() {
-        assertThat(RewrittenClassCache.key(new byte[] {1})).isNotEqualTo(RewrittenClassCache.key(new byte[] {2})).hasSize(64);
+        assertThat(RewrittenClassCache.key(new byte[] {1})).isNotEqualTo(RewrittenClassCache.key(new byte[] {2}))
+                .hasSize(64);
     }
 }

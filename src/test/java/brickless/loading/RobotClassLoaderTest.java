@@ -51,9 +51,11 @@ class RobotClassLoaderTest {
     @Test
     void everyRobotHasItsOwnProgramAndHooksAndSharesTheKernel() throws Exception {
         Path classes = copyOfProgram();
-        try (RobotClassLoader one = RobotClassLoader.ofPaths(List.of(classes)); RobotClassLoader two = RobotClassLoader.ofPaths(List.of(classes))) {
+        try (RobotClassLoader one = RobotClassLoader.ofPaths(List.of(classes)); RobotClassLoader two =
+                RobotClassLoader.ofPaths(List.of(classes))) {
             assertThat(one.loadClass(PROGRAM)).isNotSameAs(two.loadClass(PROGRAM));
-            assertThat(one.loadClass(Hooks.class.getName())).isNotSameAs(Hooks.class).isNotSameAs(two.loadClass(Hooks.class.getName()));
+            assertThat(one.loadClass(Hooks.class.getName())).isNotSameAs(Hooks.class)
+                    .isNotSameAs(two.loadClass(Hooks.class.getName()));
             assertThat(one.loadClass(VirtualMachine.class.getName())).isSameAs(VirtualMachine.class);
             assertThat(one.loadClass("java.lang.String")).isSameAs(String.class);
         }
@@ -62,14 +64,16 @@ class RobotClassLoaderTest {
     @Test
     void aProgramFromAFolderRuns() throws IOException {
         try (RobotClassLoader loader = RobotClassLoader.ofPaths(List.of(copyOfProgram()))) {
-            assertThat(ProgramRun.run(loader, PROGRAM, KernelSettings.defaults(), "").output()).startsWith("ping 0\npong 0\n");
+            assertThat(ProgramRun.run(loader, PROGRAM, KernelSettings.defaults(), "").output())
+                    .startsWith("ping 0\npong 0\n");
         }
     }
 
     @Test
     void aProgramDoesNotSeeTheSimulatorsLibraries() throws IOException {
         try (RobotClassLoader loader = RobotClassLoader.ofPaths(List.of(folder))) {
-            assertThatThrownBy(() -> loader.loadClass("org.objectweb.asm.ClassReader")).isInstanceOf(ClassNotFoundException.class);
+            assertThatThrownBy(() -> loader.loadClass("org.objectweb.asm.ClassReader"))
+                    .isInstanceOf(ClassNotFoundException.class);
             assertThat(loader.getResource("org/objectweb/asm/ClassReader.class")).isNull();
         }
     }
@@ -96,7 +100,8 @@ class RobotClassLoaderTest {
         assertThatThrownBy(() -> RobotClassLoader.ofPaths(List.of(folder.resolve("missing.jar"))))
                 .isInstanceOf(NoSuchFileException.class).hasMessageContaining("missing.jar");
         Path noJar = Files.write(folder.resolve("text.jar"), "no jar".getBytes(StandardCharsets.UTF_8));
-        assertThatThrownBy(() -> RobotClassLoader.ofPaths(List.of(noJar))).isInstanceOf(IOException.class).hasMessageContaining("text.jar");
+        assertThatThrownBy(() -> RobotClassLoader.ofPaths(List.of(noJar))).isInstanceOf(IOException.class)
+                .hasMessageContaining("text.jar");
     }
 
     @Test
@@ -124,14 +129,16 @@ class RobotClassLoaderTest {
             RecordingMachine machine = new RecordingMachine();
             loader.bind(machine.machine());
             Thread main = loader.mainThread("java.lang.String");
-            assertThatThrownBy(main::run).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("java.lang.String has no");
+            assertThatThrownBy(main::run).isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("java.lang.String has no");
         }
     }
 
     @Test
     void aSecondRobotUsesTheBytesRewrittenForTheFirst() throws Exception {
         Path classes = copyOfProgram();
-        try (RobotClassLoader one = RobotClassLoader.ofPaths(List.of(classes)); RobotClassLoader two = RobotClassLoader.ofPaths(List.of(classes))) {
+        try (RobotClassLoader one = RobotClassLoader.ofPaths(List.of(classes)); RobotClassLoader two =
+                RobotClassLoader.ofPaths(List.of(classes))) {
             one.loadClass(PROGRAM);
             long hits = RewrittenClassCache.shared().hits();
             two.loadClass(PROGRAM);
@@ -141,8 +148,10 @@ class RobotClassLoaderTest {
 
     @Test
     void nothingOfARobotStaysBehindAfterItsRun() {
-        WeakReference<ClassLoader> loader = new WeakReference<>(loaderOfFinishedRun("programs.passing.threads.ThreadLocals"));
-        WeakReference<ClassLoader> stopped = new WeakReference<>(loaderOfFinishedRun("programs.failing.runaways.SwallowingEverything"));
+        WeakReference<ClassLoader> loader =
+                new WeakReference<>(loaderOfFinishedRun("programs.passing.threads.ThreadLocals"));
+        WeakReference<ClassLoader> stopped =
+                new WeakReference<>(loaderOfFinishedRun("programs.failing.runaways.SwallowingEverything"));
         for (int i = 0; i < 100 && (loader.get() != null || stopped.get() != null); i++) {
             System.gc();
         }

@@ -27,23 +27,27 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 
 /**
- * Collections and streams of rewritten code: {@code Set.of} and {@code Map.of} in the order given, where the JDK's order changes with every
- * start of the JVM; parallel streams on the calling thread, because the host's worker threads know nothing of virtual time. Per robot.
+ * Collections and streams of rewritten code: {@code Set.of} and {@code Map.of} in the order given, where the JDK's
+ * order changes with every start of the JVM; parallel streams on the calling thread, because the host's worker threads
+ * know nothing of virtual time. Per robot.
  */
 public final class CollectionHooks {
     private CollectionHooks() {}
 
     /**
-     * Bootstrap method of a call such as {@code Set.of(a, b, c)}: collects the arguments for {@link #setOf} or {@link #mapOf}.
+     * Bootstrap method of a call such as {@code Set.of(a, b, c)}: collects the arguments for {@link #setOf} or
+     * {@link #mapOf}.
      *
      * @param name the method here that takes them as an array
      * @param type of the call
      */
-    public static CallSite collecting(MethodHandles.Lookup lookup, String name, MethodType type) throws ReflectiveOperationException {
+    public static CallSite collecting(MethodHandles.Lookup lookup, String name, MethodType type)
+            throws ReflectiveOperationException {
         MethodType collected = MethodType.methodType(type.returnType(), Object[].class);
         MethodHandle target = MethodHandles.lookup().findStatic(CollectionHooks.class, name, collected);
         boolean isArrayAlready = type.equals(collected);
-        return new ConstantCallSite(isArrayAlready ? target : target.asCollector(Object[].class, type.parameterCount()).asType(type));
+        return new ConstantCallSite(isArrayAlready ? target
+                : target.asCollector(Object[].class, type.parameterCount()).asType(type));
     }
 
     /** {@code Set.of(elements)}. */
@@ -123,7 +127,8 @@ public final class CollectionHooks {
     }
 
     /** {@code Collectors.toMap(key, value, merging)}. */
-    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value, BinaryOperator<V> merging) {
+    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value,
+            BinaryOperator<V> merging) {
         return Collectors.toMap(key, value, merging, () -> new ProgramHashMap<K, V>());
     }
 

@@ -4,8 +4,8 @@ package brickless.kernel.hooks;
  * The hooks that rewritten loops, calls, allocations and handlers use, and the robot's link to its kernel.
  *
  * <p>Every robot's class loader defines this class anew, so its static fields are per robot. Until {@link #bind} a
- * {@link HostMachine} stands in for the kernel: rewritten classes then behave like plain ones. With a kernel only the running fibre
- * touches these fields; fibres hand over with a happens-before edge, so they need not be volatile.
+ * {@link HostMachine} stands in for the kernel: rewritten classes then behave like plain ones. With a kernel only the
+ * running fibre touches these fields; fibres hand over with a happens-before edge, so they need not be volatile.
  */
 public final class Hooks {
     /** Virtual nanoseconds left before the kernel must be entered. */
@@ -20,7 +20,9 @@ public final class Hooks {
 
     private Hooks() {}
 
-    /** Connects this robot to its kernel before the program's first instruction; null returns to plain JDK behaviour. */
+    /**
+     * Connects this robot to its kernel before the program's first instruction; null returns to plain JDK behaviour.
+     */
     public static Budget bind(VirtualMachine kernel) {
         machine = kernel == null ? new HostMachine() : kernel;
         largestDepth = kernel == null ? Integer.MAX_VALUE : InstructionCharges.LARGEST_CALL_DEPTH;
@@ -73,7 +75,10 @@ public final class Hooks {
         return entered;
     }
 
-    /** An exception handler that could swallow anything begins: lets {@link ProgramKilled} pass while the program is being ended. */
+    /**
+     * An exception handler that could swallow anything begins: lets {@link ProgramKilled} pass while the program is
+     * being ended.
+     */
     public static void kill(Throwable caught) {
         if (caught instanceof ProgramKilled && machine.killing()) {
             throw (ProgramKilled) caught;

@@ -1,7 +1,8 @@
 package brickless.kernel.hooks;
 
 /**
- * What rewritten bytecode charges by itself, in virtual nanoseconds: estimates for the EV3's 300 MHz ARM9 running an embedded JVM.
+ * What rewritten bytecode charges by itself, in virtual nanoseconds: estimates for the EV3's 300 MHz ARM9 running an
+ * embedded JVM.
  *
  * <p>Assumptions, not measurements; the charges of API calls are in the kernel's own table.
  */
@@ -9,7 +10,10 @@ public final class InstructionCharges {
     /** One round of a loop, or the entry of a lambda body. */
     public static final int BACK_EDGE_NANOS = 500;
 
-    /** One round of a loop that only reads and compares, such as {@code while (!done) {}}: dearer, so that waiting is simulated quickly. */
+    /**
+     * One round of a loop that only reads and compares, such as {@code while (!done) {}}: dearer, so that waiting is
+     * simulated quickly.
+     */
     public static final int PURE_SPIN_NANOS = 20_000;
 
     /** One call of a method that calls others; makes endless or exponential recursion reach the time limit. */

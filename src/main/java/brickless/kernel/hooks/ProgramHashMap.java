@@ -12,8 +12,9 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
- * What {@code new HashMap} and {@code extends HashMap} become in a rewritten program: the JDK's order for keys with hash codes of their own, and
- * an order that is the same in every run for all others. Serialized as a plain HashMap. Per robot; like the original not thread-safe.
+ * What {@code new HashMap} and {@code extends HashMap} become in a rewritten program: the JDK's order for keys with
+ * hash codes of their own, and an order that is the same in every run for all others. Serialized as a plain HashMap.
+ * Per robot; like the original not thread-safe.
  */
 public class ProgramHashMap<K, V> extends HashMap<K, V> {
     private static final long serialVersionUID = 1L;
@@ -242,8 +243,11 @@ public class ProgramHashMap<K, V> extends HashMap<K, V> {
 
         @Override
         public boolean remove(Object entry) {
-            return entry instanceof Map.Entry
-                    && ProgramHashMap.this.remove(((Map.Entry<?, ?>) entry).getKey(), ((Map.Entry<?, ?>) entry).getValue());
+            if (!(entry instanceof Map.Entry)) {
+                return false;
+            }
+            Map.Entry<?, ?> removed = (Map.Entry<?, ?>) entry;
+            return ProgramHashMap.this.remove(removed.getKey(), removed.getValue());
         }
 
         @Override

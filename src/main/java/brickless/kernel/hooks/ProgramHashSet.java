@@ -6,7 +6,10 @@ import java.util.Iterator;
 import java.util.Spliterator;
 import java.util.Spliterators;
 
-/** What {@code new HashSet} and {@code extends HashSet} become in a rewritten program; see {@link ProgramHashMap}. Per robot. */
+/**
+ * What {@code new HashSet} and {@code extends HashSet} become in a rewritten program; see {@link ProgramHashMap}. Per
+ * robot.
+ */
 public class ProgramHashSet<E> extends HashSet<E> {
     private static final long serialVersionUID = 1L;
     private static final float DEFAULT_LOAD_FACTOR = 0.75f;

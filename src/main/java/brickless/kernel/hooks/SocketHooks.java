@@ -11,8 +11,9 @@ import java.net.SocketException;
 import java.net.SocketTimeoutException;
 
 /**
- * Sockets of rewritten code. They are real, so a peer is outside of virtual time; but waiting for one must not stop the robot's other threads: every
- * blocking call asks the host for a millisecond and then lets 20 ms of virtual time pass. Without a peer such a run is repeatable. Per robot.
+ * Sockets of rewritten code. They are real, so a peer is outside of virtual time; but waiting for one must not stop the
+ * robot's other threads: every blocking call asks the host for a millisecond and then lets 20 ms of virtual time pass.
+ * Without a peer such a run is repeatable. Per robot.
  */
 public final class SocketHooks {
     private static final int HOST_WAIT_MILLIS = 1;
@@ -39,7 +40,10 @@ public final class SocketHooks {
         return new PatientStream(socket.getInputStream(), socket);
     }
 
-    /** Repeats a call that ends after a short host time until it succeeds or the program's own time limit has passed in virtual time. */
+    /**
+     * Repeats a call that ends after a short host time until it succeeds or the program's own time limit has passed in
+     * virtual time.
+     */
     private static <T> T blocking(Call<T> call, Timeout timeout, TimeoutSetter setter) throws IOException {
         if (!Hooks.isBound()) {
             return call.run();

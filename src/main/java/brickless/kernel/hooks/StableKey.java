@@ -4,8 +4,9 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Stands in a hash table for a key whose hash code is the host's (an enum constant, a class, an array, a plain object, a lambda), so that the order
- * of the table is the same in every run. All such keys are equal to themselves only. Per robot.
+ * Stands in a hash table for a key whose hash code is the host's (an enum constant, a class, an array, a plain object,
+ * a lambda), so that the order of the table is the same in every run. All such keys are equal to themselves only. Per
+ * robot.
  */
 final class StableKey {
     private final Object key;

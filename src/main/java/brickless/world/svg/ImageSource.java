@@ -33,7 +33,7 @@ final class ImageSource {
         }
     }
 
-    private static byte[] beside(SvgDocument document, String href) throws MalformedValueException {
+    static byte[] beside(SvgDocument document, String href) throws MalformedValueException {
         if (document.folder().isEmpty()) {
             throw new MalformedValueException("the image \"" + LengthParser.shortened(href) + "\" cannot be found from a drawing that is not a file" + ALLOWED);
         }

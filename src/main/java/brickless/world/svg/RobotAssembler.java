@@ -53,7 +53,7 @@ final class RobotAssembler implements DrawingVisitor {
         if (chassis.isEmpty()) {
             throw document.error(document.root(), "the robot has no data-part=\"chassis\"");
         }
-        return new RobotModel(SvgDocument.nameOf(document.file()), chassis, mass, wheels, casters, sensors, turrets, claws, document.text());
+        return new RobotModel(SvgDocument.nameOf(document.file()), chassis, mass, wheels, casters, sensors, turrets, claws, EmbeddedImages.textOf(document));
     }
 
     @Override public boolean enter(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {

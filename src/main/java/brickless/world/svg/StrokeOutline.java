@@ -43,10 +43,13 @@ final class StrokeOutline {
             dot(points.get(0), line.points().size() > 1 || line.closed());
         } else if (points.size() > 1) {
             boolean closed = line.closed() && points.size() > 2;
+            if (!closed && style.cap().equals("square")) {
+                stretch(points);
+            }
             segments(points, closed);
-            if (!closed) {
-                cap(points.get(0), direction(points.get(1), points.get(0)));
-                cap(points.get(points.size() - 1), direction(points.get(points.size() - 2), points.get(points.size() - 1)));
+            if (!closed && style.cap().equals("round")) {
+                disc(points.get(0));
+                disc(points.get(points.size() - 1));
             }
         }
     }
@@ -92,13 +95,14 @@ final class StrokeOutline {
         return 0;
     }
 
-    private void cap(Point2 end, Point2 outwards) throws MalformedValueException {
-        if (style.cap().equals("round")) {
-            disc(end);
-        } else if (style.cap().equals("square")) {
-            piece(List.of(offset(end, outwards, 0, half), offset(end, outwards, half, half), offset(end, outwards, half, -half),
-                    offset(end, outwards, 0, -half)));
-        }
+    /** Square ends: the line simply goes on for half its width. */
+    private void stretch(List<Point2> points) {
+        int last = points.size() - 1;
+        Point2 first = points.get(0);
+        Point2 back = direction(points.get(1), first);
+        Point2 on = direction(points.get(last - 1), points.get(last));
+        points.set(last, offset(points.get(last), on, half, 0));
+        points.set(0, offset(first, back, half, 0));
     }
 
     private void dot(Point2 at, boolean drawn) throws MalformedValueException {

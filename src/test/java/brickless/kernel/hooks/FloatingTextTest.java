@@ -10,7 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Against some 5,300 texts made by JDK 25, which prints the shortest decimals; JDK 17 alone gets hundreds of them wrong. */
+/**
+ * Against some 5,300 texts made by JDK 25, which prints the shortest decimals; JDK 17 alone gets hundreds of them
+ * wrong.
+ */
 class FloatingTextTest {
     @Test
     void everyTextIsThatOfJdk25() throws IOException {

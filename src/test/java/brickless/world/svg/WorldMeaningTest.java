@@ -73,7 +73,7 @@ class WorldMeaningTest {
 
     @Test void beaconMayAlsoBeABody() {
         World world = world("<circle id='b' data-beacon='1' data-solid='fixed' cx='200' cy='300' r='20'/>");
-        assertThat(world.beacons()).extracting(Beacon::channel).containsExactly(1);
+        assertThat(world.beacons()).extracting(Beacon::id).containsExactly("b");
         assertThat(world.obstacles()).extracting(Obstacle::id).containsExactly("b");
     }
 

@@ -1,10 +1,11 @@
 package programs.failing.deadlocks;
 
 /**
- * A notify that comes before the wait is lost; the program hangs and is reported as deadlocked, with thread, lock and line.
+ * A notify that comes before the wait is lost; the program hangs and is reported as deadlocked, with thread, lock and
+ * line.
  *
  * @expected deadlock
- * @contains "late" WAITING on java.lang.Object at LostNotify.java:28
+ * @contains "late" WAITING on java.lang.Object at LostNotify.java:29
  */
 public class LostNotify {
     public static void main(String[] args) {

@@ -36,7 +36,8 @@ public class Identity {
             set.add(new Thread());
         }
         set.forEach(System.out::println);
-        System.out.println(Objects.hash(Colour.RED, plain) + " " + Colour.RED.hashCode() + " " + Arrays.hashCode(new Object[] {Colour.BLUE}));
+        System.out.println(Objects.hash(Colour.RED, plain) + " " + Colour.RED.hashCode() + " "
+                + Arrays.hashCode(new Object[] {Colour.BLUE}));
         System.out.println(Set.of("a", "b", "c", "d") + " " + Map.of("x", 1, "y", 2, "z", 3));
         Map<Colour, Integer> map = new HashMap<>();
         for (Colour colour : Colour.values()) {
@@ -49,7 +50,8 @@ public class Identity {
             objects.put(new int[i], "array " + i);
         }
         System.out.println(objects.values());
-        Set<Class<?>> classes = new HashSet<>(Arrays.asList(String.class, Plain.class, int.class, Colour.class, Thread.class));
+        Set<Class<?>> classes = new HashSet<>(
+                Arrays.asList(String.class, Plain.class, int.class, Colour.class, Thread.class));
         System.out.println(classes);
     }
 }

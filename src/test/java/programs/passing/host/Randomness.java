@@ -23,7 +23,8 @@ public class Randomness {
         Supplier<Random> factory = Random::new;
         System.out.println(factory.get().nextInt());
         System.out.println(new SplittableRandom().nextInt());
-        System.out.println(ThreadLocalRandom.current().nextInt(5, 50) + " " + ThreadLocalRandom.current().nextDouble(1, 2));
+        System.out.println(ThreadLocalRandom.current().nextInt(5, 50) + " " + ThreadLocalRandom.current()
+                .nextDouble(1, 2));
         System.out.println(new SecureRandom().nextLong());
         System.out.println(UUID.randomUUID());
         List<Integer> list = new ArrayList<>(Arrays.asList(1, 2, 3, 4, 5, 6, 7, 8, 9));

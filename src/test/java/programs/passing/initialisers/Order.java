@@ -1,7 +1,8 @@
 package programs.passing.initialisers;
 
 /**
- * Classes are initialised at first use: superclass first, before the arguments of a constructor, not by constants or arrays.
+ * Classes are initialised at first use: superclass first, before the arguments of a constructor, not by constants or
+ * arrays.
  *
  * @expected exited 0
  * @prints main

@@ -22,7 +22,8 @@ import java.util.Scanner;
  */
 public class LocaleAndEncoding {
     public static void main(String[] args) throws IOException {
-        System.out.println(Locale.getDefault() + " " + Charset.defaultCharset() + " " + new DecimalFormat("#,###.0").format(1234.5)
+        System.out.println(Locale.getDefault() + " " + Charset.defaultCharset() + " " + new DecimalFormat("#,###.0")
+                .format(1234.5)
                 + String.format(" %.2f", 3.14159) + " " + "%.2f".formatted(1.5));
         System.out.println("title".toUpperCase() + " " + "TITLE".toLowerCase() + " " + "aä".getBytes().length);
         Scanner scanner = new Scanner(new ByteArrayInputStream("2.5 ä".getBytes()));

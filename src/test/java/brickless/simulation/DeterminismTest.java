@@ -1,0 +1,108 @@
+package brickless.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import brickless.kernel.BackendChoice;
+import brickless.program.ProgramException;
+import brickless.world.DescriptionException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.TreeMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Same program, world, robot and seed: same trace. */
+class DeterminismTest {
+    private static final int SECONDS = 8;
+    private static ExamplePrograms programs;
+    private static final Map<String, String> HASHES = new TreeMap<>();
+
+    @BeforeAll static void runEveryProgramOnce() throws ProgramException, DescriptionException {
+        programs = ExamplePrograms.compiled();
+        for (String main : ExamplePrograms.MAINS) {
+            HASHES.put(main, hash(main, settings(main)));
+        }
+    }
+
+    @AfterAll static void removeClasses() {
+        programs.close();
+    }
+
+    static List<String> mains() {
+        return ExamplePrograms.MAINS;
+    }
+
+    private static SimulationSettings.Builder settings(String main) throws DescriptionException {
+        return ExamplePrograms.settings(ExamplePrograms.worldOf(main)).limit(Duration.ofSeconds(SECONDS)).backend(BackendChoice.THREADS);
+    }
+
+    private static String hash(String main, SimulationSettings.Builder settings) {
+        return run(main, settings).traceHash();
+    }
+
+    private static RunReport run(String main, SimulationSettings.Builder settings) {
+        Run run = new Simulation(settings.build()).start(programs.program(main));
+        run.toEnd();
+        return run.report();
+    }
+
+    @ParameterizedTest @MethodSource("mains") void sameRunTwice(String main) throws DescriptionException {
+        assertThat(hash(main, settings(main))).isEqualTo(HASHES.get(main));
+    }
+
+    @ParameterizedTest @MethodSource("mains") void anotherSeedIsAnotherRun(String main) throws DescriptionException {
+        assertThat(hash(main, settings(main).seed(2))).isNotEqualTo(HASHES.get(main));
+    }
+
+    @ParameterizedTest @MethodSource("mains") void theOtherBackendIsTheSameRun(String main) throws DescriptionException {
+        assumeThat(Runtime.version().feature()).as("continuations came with JDK 21").isGreaterThanOrEqualTo(21);
+        RunReport report = run(main, settings(main).backend(BackendChoice.CONTINUATIONS));
+        assertThat(report.backend()).isEqualTo("continuation");
+        assertThat(report.traceHash()).isEqualTo(HASHES.get(main));
+    }
+
+    @Test void heldEveryTenMillisecondsIsTheSameRun() throws DescriptionException {
+        String main = "explorer.Explorer";
+        Run run = new Simulation(settings(main).build()).start(programs.program(main));
+        while (!run.ended()) {
+            run.advance(Duration.ofMillis(10));
+        }
+        assertThat(run.report().traceHash()).isEqualTo(HASHES.get(main));
+    }
+
+    @Test void aScheduleSeedIsRepeatable() throws DescriptionException {
+        String main = "sensorthreads.SensorThreads";
+        String first = hash(main, settings(main).scheduleSeed(OptionalLong.of(7)));
+        assertThat(hash(main, settings(main).scheduleSeed(OptionalLong.of(7)))).isEqualTo(first).isNotEqualTo(HASHES.get(main));
+        assertThat(hash(main, settings(main).scheduleSeed(OptionalLong.of(8)))).isNotEqualTo(first);
+    }
+
+    @Test void manyRunsAtTheSameTimeAreTheSameAsOneByOne() throws Exception {
+        ExecutorService pool = Executors.newFixedThreadPool(8);
+        try {
+            Map<String, List<Future<String>>> running = new TreeMap<>();
+            for (int round = 0; round < 2; round++) {
+                for (String main : ExamplePrograms.MAINS) {
+                    running.computeIfAbsent(main, m -> new ArrayList<>()).add(pool.submit(() -> hash(main, settings(main))));
+                }
+            }
+            for (Map.Entry<String, List<Future<String>>> each : running.entrySet()) {
+                for (Future<String> hash : each.getValue()) {
+                    assertThat(hash.get()).as(each.getKey()).isEqualTo(HASHES.get(each.getKey()));
+                }
+            }
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+}
