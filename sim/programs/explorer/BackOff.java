@@ -25,7 +25,7 @@ class BackOff implements Behavior {
     @Override
     public void action() {
         bumps++;
-        LCD.drawString("Bumps " + bumps, 0, 3);
+        LCD.drawString("Bumps " + bumps, 0, 6);
         wheels.forward(240);
         Delay.msDelay(500);
         wheels.backward(300);

@@ -34,7 +34,7 @@ final class LiveRun implements RobotSession.ProgramExit {
     LiveRun(SimulationSettings settings, Program program) {
         this.program = program;
         List<Crew.Member> crew = new Crew(settings, program).members();
-        stage = new Stage(settings, program.mainClass(), crew);
+        stage = new Stage(settings, program, crew);
         processor = new LiveProcessor(stage.stepNanos(), this::step);
         crew.forEach(member -> stage.enter(member, processor, true, this));
         stage.begin();
@@ -78,6 +78,11 @@ final class LiveRun implements RobotSession.ProgramExit {
 
     @Override public void endByKeys() {
         exit(1);
+    }
+
+    /** The program is over when the JVM is. */
+    @Override public boolean over() {
+        return false;
     }
 
     /** The JVM ends. The clock goes on, because the program's own shutdown hooks, which run at the same time, may wait for a motor. */

@@ -38,6 +38,10 @@ final class ProgramSession implements RobotSession.ProgramExit {
         realm.end(1);
     }
 
+    @Override public boolean over() {
+        return kernel.end() != null;
+    }
+
     /** Lets go of the program's classes. */
     void release() {
         realm.release();

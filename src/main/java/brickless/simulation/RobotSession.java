@@ -1,8 +1,6 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
-import brickless.device.motor.MotorFitting;
-import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.Surroundings;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.ProgramLog;
@@ -25,6 +23,9 @@ final class RobotSession {
     private final Panel panel;
     private final RobotDevices devices;
     private final RunTimeFitting fitting = new RunTimeFitting();
+    private final PlugNotes plugs = new PlugNotes();
+    private final ProgramExit end;
+    private boolean poweredOff;
 
     /**
      * Creates a robot.
@@ -39,9 +40,10 @@ final class RobotSession {
         model = member.model();
         fitted = member.fitted();
         body = arena.robot(name).orElseThrow();
+        this.end = end;
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
         panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
-        devices = new RobotDevices(body, surroundings, processor, open ? fitting : MotorFitting.FIXED, open ? fitting : SensorFitting.FIXED);
+        devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
             fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
         }
@@ -54,6 +56,9 @@ final class RobotSession {
 
         /** The keys DOWN and ENTER were held together: the brick's menu ends the program. Called within a physics step. */
         void endByKeys();
+
+        /** Whether the program has ended, while the world goes on. */
+        boolean over();
     }
 
     /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
@@ -90,12 +95,17 @@ final class RobotSession {
     }
 
     void beforeStep(long nowNanos) {
+        if (!poweredOff && end.over()) {
+            poweredOff = true;
+            devices.powerOff();
+        }
         devices.beforeStep(nowNanos);
     }
 
     void afterStep(long nowNanos) {
         devices.afterStep(nowNanos);
         panel.step(nowNanos);
+        console.step(nowNanos);
     }
 
     RobotSample sample(long nowNanos) {
@@ -127,6 +137,7 @@ final class RobotSession {
         if (!fitting.plugged().isEmpty()) {
             notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
+        notes.addAll(plugs.notes());
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
         }

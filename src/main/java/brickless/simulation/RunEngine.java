@@ -21,7 +21,7 @@ final class RunEngine {
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body) {
         List<Crew.Member> crew = new Crew(settings, program).members();
-        stage = new Stage(settings, program.mainClass(), crew);
+        stage = new Stage(settings, program, crew);
         programs = crew.stream().map(member -> new ProgramSession(settings, member, stage, body)).toList();
         stage.begin();
     }

@@ -7,6 +7,7 @@ import brickless.physics.Arena;
 import brickless.physics.ArenaSettings;
 import brickless.physics.Entrant;
 import brickless.physics.ObstacleBody;
+import brickless.program.Program;
 import brickless.trace.BodySample;
 import brickless.trace.Sample;
 import brickless.trace.TraceEvent;
@@ -30,7 +31,7 @@ final class Stage {
     private static final double LEAST_DISPLACEMENT = 1e-3;
 
     private final SimulationSettings settings;
-    private final String mainClass;
+    private final Program program;
     private final Optional<RunFolder> folder;
     private final Recorder recorder;
     private final Arena arena;
@@ -43,14 +44,14 @@ final class Stage {
     private long steps;
 
     /** Builds the arena for a crew, whose members are to {@link #enter} it in their order. */
-    Stage(SimulationSettings settings, String mainClass, List<Crew.Member> crew) {
+    Stage(SimulationSettings settings, Program program, List<Crew.Member> crew) {
         this.settings = settings;
-        this.mainClass = mainClass;
+        this.program = program;
         arena = new Arena(settings.world(), crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(),
                 ArenaSettings.of(settings.ideal()));
         new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
-        recorder = new Recorder(folder, new TraceHeader(mainClass, settings.world().name(), crew.stream().map(m -> m.model().name()).toList(),
+        recorder = new Recorder(folder, new TraceHeader(program.mainClass(), settings.world().name(), crew.stream().map(m -> m.model().name()).toList(),
                 settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
@@ -139,7 +140,7 @@ final class Stage {
         String hash = recorder.finish();
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
-        RunReport report = new RunReport(mainClass, mainClass, settings.world().name(), first.model().name(), settings.seed(), outcome,
+        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
                 settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
                 Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));

@@ -22,7 +22,7 @@ class DrivenPath {
       }
     });
     const d = `M${this.points.map((point) => `${point.x.toFixed(1)},${point.y.toFixed(1)}`).join('L')}`;
-    const attributes = {d, fill: 'none', stroke: colour, 'stroke-width': 5, 'stroke-linejoin': 'round', 'stroke-linecap': 'round'};
+    const attributes = {d, fill: 'none', stroke: colour, 'stroke-width': 6, 'stroke-linejoin': 'round', 'stroke-linecap': 'round'};
     this.future = svg('path', {...attributes, opacity: 0.16});
     this.past = svg('path', {...attributes, opacity: 0.85});
     root.append(this.future, this.past);
@@ -65,18 +65,16 @@ class Arena {
     if (!drawing) {
       return;
     }
-    const page = drawing.getCTM();
     for (const zone of drawing.querySelectorAll('[data-zone]')) {
       if (!zone.getBBox || zone.localName === 'g') {
         continue;
       }
-      const m = page.inverse().multiply(zone.getCTM());
       const box = zone.getBBox();
       const outline = zone.cloneNode(false);
       [...outline.attributes].filter((attribute) => /^(id|class|style|fill|stroke.*|opacity|data-.*)$/.test(attribute.name))
         .forEach((attribute) => outline.removeAttribute(attribute.name));
       outline.removeAttribute('transform');
-      const group = svg('g', {transform: `matrix(${m.a} ${m.b} ${m.c} ${m.d} ${m.e} ${m.f})`, fill: 'none', stroke: 'var(--zone)', 'stroke-width': 4,
+      const group = svg('g', {transform: matrixText(matrixWithin(drawing, zone, true)), fill: 'none', stroke: 'var(--zone)', 'stroke-width': 4,
         'stroke-dasharray': '14 10', opacity: 0.8}, outline);
       const label = svg('text', {x: box.x + 14, y: box.y + box.height - 14, fill: 'var(--zone)', stroke: 'none', 'font-size': 34, 'font-weight': 600,
         'font-family': 'system-ui, sans-serif'});

@@ -33,7 +33,7 @@ class Brick {
     this.pad = html('div', {class: 'pad', 'data-led': 'off', role: 'img'}, ...this.keyNodes.filter((node) => node.dataset.key !== 'ESCAPE'));
     this.sound = html('p', {class: 'brick-note', 'data-part': 'sound'});
     this.pressed = html('p', {class: 'brick-note', 'data-part': 'keys'});
-    host.append(html('div', {class: 'brick'},
+    host.append(html('div', {class: 'brick-face'},
       html('div', {class: 'ports'}, ...this.motorCells.map((cell) => cell.node)),
       html('div', {class: 'bezel'}, this.canvas),
       html('div', {class: 'front'},

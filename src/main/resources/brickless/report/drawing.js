@@ -45,6 +45,23 @@ function namedElements(root, text) {
   return named;
 }
 
+/** Transform from an element's own frame to the drawing's; the element's own transform counts only if asked. */
+function matrixWithin(drawing, node, own) {
+  let matrix = new DOMMatrix();
+  for (let one = own ? node : node.parentNode; one && one !== drawing; one = one.parentNode) {
+    const transform = one.transform && one.transform.baseVal.consolidate();
+    if (transform) {
+      const m = transform.matrix;
+      matrix = new DOMMatrix([m.a, m.b, m.c, m.d, m.e, m.f]).multiply(matrix);
+    }
+  }
+  return matrix;
+}
+
+function matrixText(m) {
+  return `matrix(${[m.a, m.b, m.c, m.d, m.e, m.f].join(' ')})`;
+}
+
 /** Reads a drawing; null if it is none. */
 function parseDrawing(text) {
   const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
@@ -85,19 +102,17 @@ class WorldDrawing {
     drawing.style.overflow = 'hidden';
     this.layer.root.append(drawing);
     drawing.querySelectorAll('[data-robot]').forEach((start) => start.setAttribute('display', 'none'));
-    const page = drawing.getCTM();
     for (const body of scene.bodies) {
       const node = named.get(body.id);
       if (node && node.isConnected && node.getBBox) {
-        this.bodies.set(body.id, this.movable(node, page));
+        this.bodies.set(body.id, this.movable(drawing, node));
       }
     }
   }
 
   /** Displacements are of the page; the element may stand inside groups that have transforms of their own. */
-  movable(node, page) {
-    const parent = node.parentNode.getCTM && node.parentNode !== this.layer.root ? page.inverse().multiply(node.parentNode.getCTM()) : new DOMMatrix();
-    const group = new DOMMatrix([parent.a, parent.b, parent.c, parent.d, parent.e, parent.f]);
+  movable(drawing, node) {
+    const group = matrixWithin(drawing, node, false);
     return {node, group, inverse: group.inverse(), own: node.getAttribute('transform') || '', shown: ''};
   }
 
@@ -126,7 +141,7 @@ class WorldDrawing {
     if (pose) {
       const moved = new DOMMatrix().translate(pose.x, pose.y).rotate(pose.heading);
       const m = body.inverse.multiply(moved).multiply(body.group);
-      body.node.setAttribute('transform', `matrix(${[m.a, m.b, m.c, m.d, m.e, m.f].join(' ')}) ${body.own}`);
+      body.node.setAttribute('transform', `${matrixText(m)} ${body.own}`);
     } else if (body.own) {
       body.node.setAttribute('transform', body.own);
     } else {

@@ -14,8 +14,9 @@ function plotsOf(robot) {
   }
   for (const sensor of robot.sensors.filter((one) => one.values.length > 0)) {
     const series = sensor.values.map((values, i) => ({name: sensor.values.length > 1 ? String(i) : '', colour: `--series-${i % 4}`, values}));
-    plots.push({id: `s${sensor.port}-${sensor.kind}`, title: `S${sensor.port} ${sensorName(sensor.kind)}`, unit: 'as measured', places: 1, series, on: true,
-      steps: /touch/.test(sensor.kind)});
+    const whole = sensor.values.every((values) => values.every((value) => Number.isNaN(value) || Number.isInteger(value)));
+    plots.push({id: `s${sensor.port}-${sensor.kind}`, title: `S${sensor.port} ${sensorName(sensor.kind)}`, unit: 'raw', places: whole ? 0 : 1, series, on: true,
+      steps: sensor.kind.includes('touch')});
   }
   plots.push({id: 'heading', title: 'Heading', unit: '°', places: 0, series: [{name: '', colour: '--series-0', values: robot.heading}], on: false});
   plots.push({id: 'battery', title: 'Battery', unit: 'V', places: 2, series: [{name: '', colour: '--series-1', values: robot.volts}], on: false});
@@ -98,12 +99,20 @@ class Plots {
       return;
     }
     context.font = '10.5px system-ui, sans-serif';
-    context.fillStyle = themeColour('--muted');
     context.textAlign = 'left';
     context.textBaseline = 'top';
-    context.fillText(number(plot.range.most, plot.places), 4, 3);
+    this.haloed(context, number(plot.range.most, plot.places), 4, 3);
     context.textBaseline = 'bottom';
-    context.fillText(number(plot.range.least, plot.places), 4, height - 2);
+    this.haloed(context, number(plot.range.least, plot.places), 4, height - 2);
+  }
+
+  /** Text that stays readable where a curve passes behind it. */
+  haloed(context, text, x, y) {
+    context.strokeStyle = themeColour('--surface');
+    context.lineWidth = 4;
+    context.strokeText(text, x, y);
+    context.fillStyle = themeColour('--muted');
+    context.fillText(text, x, y);
   }
 
   /** Where several samples fall on one pixel, a line from the least to the greatest, so that no peak is lost. */

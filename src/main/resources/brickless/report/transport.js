@@ -1,8 +1,8 @@
 // Play, pause, scrub, speed: buttons, slider and keys.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
-const PLAY_ICON = 'M5 3.2v13.6a.6.6 0 0 0 .9.5l11-6.8a.6.6 0 0 0 0-1L5.9 2.700a.6.6 0 0 0-.9.5z';
-const PAUSE_ICON = 'M5 3h3.400v14H5zM11.6 3H15v14h-3.400z';
+const PLAY_ICON = 'M5 3.2v13.6a.6.6 0 0 0 .9.5l11-6.8a.6.6 0 0 0 0-1L5.9 2.7a.6.6 0 0 0-.9.5z';
+const PAUSE_ICON = 'M5 3h3.4v14H5zM11.6 3H15v14h-3.4z';
 const KEY_HELP = [['Space', 'play or pause'], ['← →', 'one second back or on'], ['Shift ← →', 'one sample (50 ms) back or on'], ['Home End', 'beginning or end'],
   ['N P', 'next or previous event'], ['[ ]', 'slower or faster'], ['+ − 0', 'zoom in, out, all'], ['?', 'these keys']];
 

@@ -64,6 +64,10 @@ class BadInputTest {
         assertThat(refused("no.such.Program")).contains("no.such.Program: no such program");
     }
 
+    @Test void classWithoutMain() {
+        assertThat(refused("java.lang.String")).endsWith("class java.lang.String has no public static void main(String[])");
+    }
+
     @Test void programThatDoesNotCompile() {
         Path broken = write("Broken.java", "public class Broken {\n    public static void main(String[] args) {\n        int x = \"text\";\n    }\n}\n");
         assertThat(refused(broken)).endsWith("Broken.java:3: error: incompatible types: java.lang.String cannot be converted to int");

@@ -141,7 +141,7 @@ class ProgramFormsTest {
     }
 
     @Test void classOfTheApplication() {
-        assertThat(printed("programs.passing.StaticInitialiser")).isNotNull();
+        assertThat(printed("programs.passing.text.Numbers")).isNotEmpty();
     }
 
     @Test void mainOfASuperclass() throws IOException {
