@@ -117,22 +117,35 @@ public final class ProgramFinder {
         if (sources.isEmpty()) {
             return choose(path, name);
         }
-        Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
-        return choose(target, name).compiledInto(target);
+        return compiled(sources, classes -> choose(classes, name));
     }
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
-        Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(List.of(path), SourceCompiler.rootsOf(List.of(path)), target);
         String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
         String packageName = SourceCompiler.packageOf(path);
         String own = packageName.isEmpty() ? simple : packageName + "." + simple;
-        List<String> mains = MainClasses.of(target);
-        if (wantedMain.isEmpty() && mains.contains(own)) {
-            return checked(own, List.of(target), name).compiledInto(target);
+        return compiled(List.of(path), classes -> wantedMain.isEmpty() && MainClasses.of(classes).contains(own)
+                ? checked(own, List.of(classes), name) : choose(classes, name));
+    }
+
+    /** Compiles into a temporary directory, which is gone again if that fails or if there is no program in it. */
+    private Program compiled(List<Path> sources, Choice choice) throws ProgramException, IOException {
+        Path target = Files.createTempDirectory("brickless-classes");
+        Optional<Program> program = Optional.empty();
+        try {
+            new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+            program = Optional.of(choice.among(target).compiledInto(target));
+            return program.get();
+        } finally {
+            if (program.isEmpty()) {
+                Program.delete(target);
+            }
         }
-        return choose(target, name).compiledInto(target);
+    }
+
+    /** Finds the program in a directory of classes. */
+    private interface Choice {
+        Program among(Path classes) throws ProgramException, IOException;
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
