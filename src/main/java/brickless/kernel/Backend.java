@@ -38,6 +38,9 @@ interface Backend {
     /** The frames of a fibre that has begun, innermost first. */
     StackTraceElement[] stackOf(Fibre fibre);
 
+    /** The host thread that a fibre is on now, null if it is on none; from any thread. */
+    Thread hostThreadOf(Fibre fibre);
+
     /** Gives up the running fibre: {@link #awaitEnd} returns, waiting stacks unwind by {@code ProgramKilled}. */
     void abandon();
 }

@@ -79,6 +79,11 @@ final class ContinuationBackend implements Backend {
     }
 
     @Override
+    public Thread hostThreadOf(Fibre fibre) {
+        return strandOf(fibre).mountedOn;
+    }
+
+    @Override
     public void abandon() {
         abandoned = true;
         endRun();

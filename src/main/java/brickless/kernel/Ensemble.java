@@ -54,7 +54,7 @@ public final class Ensemble {
         for (int i = 0; i < over.length; i++) {
             kernels.get(i).prepare(this::nextAfterEnd, handlerFor(i), backend, heartbeat);
         }
-        Watchdog watchdog = Watchdog.watch(heartbeat, settings.watchdogNanos(), this::abandonRunaway);
+        Watchdog watchdog = Watchdog.watch(heartbeat, settings.watchdogNanos(), this::hostThread, this::abandonRunaway);
         try {
             backend.start(kernels.get(0).resumePoint(), this::failed);
             awaitEnd();
@@ -160,6 +160,12 @@ public final class Ensemble {
             ends.add(Objects.requireNonNull(kernel.end(), "a program is over without an end"));
         }
         return ends;
+    }
+
+    /** From the watchdog's thread. */
+    private Thread hostThread() {
+        Fibre fibre = kernels.get(running).resumePoint();
+        return fibre == null ? null : backend.hostThreadOf(fibre);
     }
 
     /** From the watchdog's thread. */

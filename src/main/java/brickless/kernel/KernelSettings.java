@@ -13,7 +13,7 @@ import java.util.OptionalLong;
  * @param limitNanos virtual time at which the run is ended, positive; {@code Long.MAX_VALUE} for no limit
  * @param epochMillis what {@code System.currentTimeMillis} says at virtual time 0
  * @param backend where stacks live
- * @param watchdogNanos host time without a kernel entry after which a program is a runaway; 0 for no watchdog
+ * @param watchdogNanos processor time without a kernel entry after which a program is a runaway; 0 for no watchdog
  * @param maximumThreads live program threads at which {@code Thread.start} throws OutOfMemoryError
  * @param stackBytes host stack for each program thread
  */
@@ -99,7 +99,7 @@ public record KernelSettings(
                 maximumThreads, stackBytes);
     }
 
-    /** With another patience of the host watchdog in nanoseconds of host time, 0 for none. */
+    /** With another patience of the host watchdog in nanoseconds of processor time, 0 for none. */
     public KernelSettings withWatchdogNanos(long value) {
         return new KernelSettings(name, seed, scheduleSeed, stepNanos, limitNanos, epochMillis, backend, value,
                 maximumThreads, stackBytes);

@@ -80,6 +80,11 @@ final class ThreadBackend implements Backend {
     }
 
     @Override
+    public Thread hostThreadOf(Fibre fibre) {
+        return carrierOf(fibre);
+    }
+
+    @Override
     public void abandon() {
         abandoned = true;
         carriers.forEach(carrier -> carrier.turn.release());

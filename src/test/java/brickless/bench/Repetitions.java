@@ -34,7 +34,7 @@ public final class Repetitions {
                 Run run = new Simulation(settings).start(program);
                 run.toEnd();
                 RunReport report = run.report();
-                hashes.merge(report.traceHash() + " " + report.contextSwitches() + " switches", 1, Integer::sum);
+                hashes.merge(report.outcome().kind() + " " + report.traceHash() + " " + report.contextSwitches() + " switches", 1, Integer::sum);
                 wallSeconds += report.wallSeconds();
             }
         }

@@ -11,42 +11,102 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class WatchdogTest {
     private static final String BACKENDS = "brickless.kernel.Backends#available";
-    /** Host time; long enough that a loaded machine does not look like a runaway before the program reaches its loop. */
+    /** Processor time. */
     private static final long PATIENCE = 500 * Robot.MILLI;
 
     private final Heartbeat heartbeat = new Heartbeat();
-    private final Watchdog watchdog = new Watchdog(heartbeat, () -> { });
+    private long busyNanos;
+    private boolean waiting;
+    private final Watchdog watchdog = new Watchdog(heartbeat, 1_000, () -> new HostActivity(busyNanos, waiting), () -> { });
+
+    /** One look after the thread used some processor time. */
+    private boolean runawayAfter(long nanos) {
+        busyNanos += nanos;
+        return watchdog.isRunaway();
+    }
 
     @Test
-    void tenLooksWithoutABeatAreARunaway() {
-        watchdog.isRunaway(heartbeat.read());
-        for (int i = 1; i < Watchdog.LOOKS; i++) {
-            assertThat(watchdog.isRunaway(heartbeat.read())).isFalse();
-        }
-        assertThat(watchdog.isRunaway(heartbeat.read())).isTrue();
+    void aThreadThatUsesUpThePatienceWithoutABeatIsARunaway() {
+        assertThat(runawayAfter(5_000)).as("first look").isFalse();
+        assertThat(runawayAfter(400)).isFalse();
+        assertThat(runawayAfter(599)).isFalse();
+        assertThat(runawayAfter(1)).isTrue();
     }
 
     @Test
     void oneBeatStartsTheCountAgain() {
         for (int i = 0; i < 100; i++) {
-            if (i % (Watchdog.LOOKS - 1) == 0) {
+            if (i % 2 == 0) {
                 heartbeat.beat();
             }
-            assertThat(watchdog.isRunaway(heartbeat.read())).isFalse();
+            assertThat(runawayAfter(999)).isFalse();
         }
+    }
+
+    @Test
+    void aThreadThatGetsNoProcessorIsNoRunawayForLong() {
+        watchdog.isRunaway();
+        for (int i = 1; i < Watchdog.LONGEST_SILENCE; i++) {
+            assertThat(runawayAfter(1)).isFalse();
+        }
+        assertThat(runawayAfter(1)).isTrue();
+    }
+
+    @Test
+    void aThreadThatWaitsTenLooksForSomethingOutsideTheKernelIsARunaway() {
+        waiting = true;
+        watchdog.isRunaway();
+        for (int i = 1; i < Watchdog.LOOKS; i++) {
+            assertThat(watchdog.isRunaway()).isFalse();
+        }
+        assertThat(watchdog.isRunaway()).isTrue();
     }
 
     @Test
     void aLongPhysicsStepIsNoRunaway() {
         heartbeat.hostBegins();
-        for (int i = 0; i < 100; i++) {
-            assertThat(watchdog.isRunaway(heartbeat.read())).isFalse();
+        for (int i = 0; i < 1_000; i++) {
+            assertThat(runawayAfter(1_000)).isFalse();
         }
         heartbeat.hostEnds();
-        for (int i = 0; i < Watchdog.LOOKS; i++) {
-            assertThat(watchdog.isRunaway(heartbeat.read())).isFalse();
+        assertThat(runawayAfter(1_000)).as("first look after it").isFalse();
+        assertThat(runawayAfter(1_000)).isTrue();
+    }
+
+    @Test
+    void aHostThreadThatWaitsForItsTurnIsNotWaitingForSomethingElse() throws InterruptedException {
+        Turn[] turn = new Turn[1];
+        Thread thread = new Thread(() -> {
+            turn[0].await();
+            turn[0].await();
+        });
+        turn[0] = new Turn(thread);
+        turn[0].give();
+        while (thread.getState() != Thread.State.WAITING) {
+            Thread.onSpinWait();
         }
-        assertThat(watchdog.isRunaway(heartbeat.read())).isTrue();
+        assertThat(HostActivity.of(thread).waiting()).isFalse();
+        turn[0].give();
+        thread.join();
+    }
+
+    @Test
+    void aHostThreadThatWaitsForALockIsWaiting() throws InterruptedException {
+        CountDownLatch never = new CountDownLatch(1);
+        Thread thread = new Thread(() -> {
+            try {
+                never.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        thread.start();
+        while (thread.getState() != Thread.State.WAITING) {
+            Thread.onSpinWait();
+        }
+        assertThat(HostActivity.of(thread).waiting()).isTrue();
+        never.countDown();
+        thread.join();
     }
 
     @ParameterizedTest
