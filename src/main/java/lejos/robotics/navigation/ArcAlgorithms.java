@@ -16,7 +16,7 @@ public class ArcAlgorithms {
     private static final double COSINE_SLACK = 1.1;
 
     /** All methods are static. */
-    public ArcAlgorithms() {}
+    private ArcAlgorithms() {}
 
     /**
      * The shortest of all ways to a pose, with turns to either side.
