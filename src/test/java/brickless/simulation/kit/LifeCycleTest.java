@@ -77,9 +77,9 @@ class LifeCycleTest {
             run.toEnd();
             assertThat(run.outcome().kind()).isEqualTo("failed");
             assertThat(run.outcome().error().orElseThrow()).contains("java.lang.IllegalStateException: arm is jammed",
-                    "Caused by: java.lang.IllegalArgumentException: port A", "Crash.java:14");
+                    "Caused by: java.lang.IllegalArgumentException: port A", "Crash.java:12");
             assertThat(run.robot().smallScreenText()).startsWith("Uncaught exception\n\njava.lang.IllegalStateExcepti\narm is jammed\n\n"
-                    + "by java.lang.IllegalArgumentE\nport A\n\nCrash.main:14");
+                    + "by java.lang.IllegalArgumentE\nport A\n\nCrash.main:12");
             assertThat(Files.readAllBytes(folder.resolve("run").resolve("screen.png"))).isEqualTo(run.robot().screenPng());
         }
     }
