@@ -20,6 +20,7 @@ public final class ProgramFinder {
     private final List<Path> classPath;
     private final Optional<String> wantedMain;
     private final Path directory;
+    private boolean mainNeeded = true;
 
     /**
      * Creates a finder.
@@ -65,6 +66,21 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a directory or a .jar");
         } catch (IOException e) {
             throw new ProgramException(name + ": cannot be read: " + e.getMessage());
+        }
+    }
+
+    /**
+     * Finds (and where needed compiles) the classes of something that need not have a main class, or not a single one.
+     *
+     * @return a program whose main class may be the empty text
+     * @throws ProgramException as {@link #find}
+     */
+    public Program findClasses(String name) throws ProgramException {
+        mainNeeded = false;
+        try {
+            return find(name);
+        } finally {
+            mainNeeded = true;
         }
     }
 
@@ -147,6 +163,9 @@ public final class ProgramFinder {
         if (wantedMain.isPresent()) {
             return checked(wantedMain.get(), List.of(classes), name);
         }
+        if (!mainNeeded) {
+            return withClassPath("", List.of(classes));
+        }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
         }
@@ -157,10 +176,9 @@ public final class ProgramFinder {
     }
 
     private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {
-        List<Path> all = new ArrayList<>(entries);
-        all.addAll(resolvedClassPath());
-        boolean found = false;
-        for (Path entry : all) {
+        Program program = withClassPath(name, main, entries);
+        boolean found = !mainNeeded;
+        for (Path entry : found ? List.<Path>of() : program.classPath()) {
             if (MainClasses.of(entry).contains(main)) {
                 found = true;
                 break;
@@ -171,6 +189,12 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
                     + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
         }
+        return program;
+    }
+
+    private Program withClassPath(String name, String main, List<Path> entries) {
+        List<Path> all = new ArrayList<>(entries);
+        all.addAll(resolvedClassPath());
         return new Program(name, main, all, Optional.empty());
     }
 

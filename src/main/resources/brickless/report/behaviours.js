@@ -39,7 +39,8 @@ class Arbitration {
         finish(giving, event.t, this.givings);
         active = span;
         giving = null;
-      } else if (event.type === 'suppressed' && !giving) {
+      } else if (event.type === 'suppressed') {
+        finish(giving, event.t, this.givings);
         giving = span && {...span, by: wanted ? wanted.behaviour : -1};
       }
     }
