@@ -164,7 +164,7 @@ public final class ProgramFinder {
             return checked(wantedMain.get(), List.of(classes), name);
         }
         if (!mainNeeded) {
-            return withClassPath("", List.of(classes));
+            return withClassPath(name, "", List.of(classes));
         }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
