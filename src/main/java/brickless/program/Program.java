@@ -40,7 +40,7 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
         temporary.ifPresent(Program::delete);
     }
 
-    private static void delete(Path directory) {
+    static void delete(Path directory) {
         try (Stream<Path> files = Files.walk(directory)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.delete(file);
