@@ -6,8 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import brickless.browser.Browser;
 import brickless.program.Program;
 import brickless.program.ProgramFinder;
+import brickless.trace.BodySample;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
@@ -101,11 +104,15 @@ class ReportPageTest {
     }
 
     @Test void aPushedBoxIsDrawnWhereItWasPushed() {
-        open("#t=16");
-        var last = truth.trace().samples.get(truth.trace().samples.size() - 1).bodies().get(0);
-        String displacement = (String) browser.value("document.querySelector('.layer.world').shadowRoot.getElementById('" + last.id()
+        BodySample box = truth.trace().samples.get(truth.trace().samples.size() - 1).bodies().get(0);
+        open("#t=" + SECONDS);
+        String shown = (String) browser.value("document.querySelector('.layer.world').shadowRoot.getElementById('" + box.id()
                 + "').getAttribute('data-displacement')");
-        assertThat(displacement).startsWith(String.format(java.util.Locale.ROOT, "%.2f", last.displacement().x() * 1000).replaceFirst("\\.?0+$", "").substring(0, 2));
+        assertThat(Arrays.stream(shown.split(" ")).map(Double::valueOf)).usingElementComparator((a, b) -> Math.abs(a - b) < 0.01 ? 0 : Double.compare(a, b))
+                .containsExactly(box.displacement().x() * 1000, box.displacement().y() * 1000, Math.toDegrees(box.displacement().headingRadians()));
+    }
+
+    @Test void anUntouchedBoxIsDrawnAtItsPlace() {
         open("#t=0");
         assertThat(browser.value("document.querySelector('.layer.world').shadowRoot.querySelector('[data-displacement]')")).isNull();
     }
@@ -129,9 +136,9 @@ class ReportPageTest {
 
     @Test void madeAgainFromTheTraceTheReportShowsTheSame() throws Exception {
         Path copy = folder.resolve("copy");
-        java.nio.file.Files.createDirectories(copy);
+        Files.createDirectories(copy);
         for (String name : List.of("trace.jsonl", "world.svg", "robot.svg", "summary.json")) {
-            java.nio.file.Files.copy(folder.resolve(name), copy.resolve(name));
+            Files.copy(folder.resolve(name), copy.resolve(name));
         }
         Path again = FinishedRun.open(copy).report();
         assertThat(again).hasSameBinaryContentAs(folder.resolve("report.html"));
