@@ -18,6 +18,9 @@ public class BumperCar {
     public static void main(String[] args) {
         System.out.println("Press any key");
         Button.waitForAnyPress();
+        while (Button.readButtons() != 0) {
+            Thread.yield();
+        }
         LEFT.setSpeed(400);
         RIGHT.setSpeed(400);
         Behavior[] behaviors = { new DriveForward(), new DetectWall(), new Quit() };

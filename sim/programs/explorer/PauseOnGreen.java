@@ -33,7 +33,7 @@ class PauseOnGreen implements Behavior {
         wheels.stop();
         visits++;
         sinceLast.reset();
-        LCD.drawString("Green " + visits, 0, 2);
+        LCD.drawString("Green " + visits, 0, 5);
         Button.LEDPattern(4);
         Sound.beepSequenceUp();
         Delay.msDelay(1000);

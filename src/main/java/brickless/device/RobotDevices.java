@@ -110,6 +110,16 @@ public final class RobotDevices {
         battery.load(inMotors, fromBattery);
     }
 
+    /** The program is over: motors coast and sensors fall silent, as when the brick's drivers are closed. */
+    public void powerOff() {
+        for (MotorDevice motor : motors) {
+            motor.release();
+        }
+        for (SensorPortDevice sensor : sensors) {
+            sensor.release();
+        }
+    }
+
     /** Sensors follow the arena; {@code nowNanos} is the time after the step. */
     public void afterStep(long nowNanos) {
         for (SensorPortDevice sensor : sensors) {

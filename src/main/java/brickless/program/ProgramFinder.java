@@ -164,7 +164,7 @@ public final class ProgramFinder {
             return checked(wantedMain.get(), List.of(classes), name);
         }
         if (!mainNeeded) {
-            return withClassPath("", List.of(classes));
+            return withClassPath(name, "", List.of(classes));
         }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
@@ -176,7 +176,7 @@ public final class ProgramFinder {
     }
 
     private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {
-        Program program = withClassPath(main, entries);
+        Program program = withClassPath(name, main, entries);
         boolean found = !mainNeeded;
         for (Path entry : found ? List.<Path>of() : program.classPath()) {
             if (MainClasses.of(entry).contains(main)) {
@@ -192,10 +192,10 @@ public final class ProgramFinder {
         return program;
     }
 
-    private Program withClassPath(String main, List<Path> entries) {
+    private Program withClassPath(String name, String main, List<Path> entries) {
         List<Path> all = new ArrayList<>(entries);
         all.addAll(resolvedClassPath());
-        return new Program(main, all, Optional.empty());
+        return new Program(name, main, all, Optional.empty());
     }
 
     private List<Path> resolvedClassPath() {

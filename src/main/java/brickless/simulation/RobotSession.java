@@ -1,8 +1,6 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
-import brickless.device.motor.MotorFitting;
-import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.Surroundings;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
@@ -27,7 +25,9 @@ final class RobotSession {
     private final Panel panel;
     private final RobotDevices devices;
     private final RunTimeFitting fitting = new RunTimeFitting();
+    private final PlugNotes plugs = new PlugNotes();
     private final RobotRealm realm;
+    private boolean poweredOff;
 
     RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Surroundings surroundings,
             Recorder recorder, Stimulator stimulator, Optional<ProgramBody> programBody) {
@@ -39,7 +39,7 @@ final class RobotSession {
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
         panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
         boolean open = fitted || programBody.isPresent();
-        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : MotorFitting.FIXED, open ? fitting : SensorFitting.FIXED);
+        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
             fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
         }
@@ -90,6 +90,10 @@ final class RobotSession {
     }
 
     void beforeStep(long nowNanos) {
+        if (!poweredOff && kernel.end() != null) {
+            poweredOff = true;
+            devices.powerOff();
+        }
         devices.beforeStep(nowNanos);
     }
 
@@ -128,6 +132,7 @@ final class RobotSession {
         if (!fitting.plugged().isEmpty()) {
             notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
+        notes.addAll(plugs.notes());
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
         }

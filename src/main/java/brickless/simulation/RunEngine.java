@@ -182,7 +182,7 @@ final class RunEngine {
         RobotSession first = sessions.get(0);
         Pose2 pose = first.body().pose();
         List<String> notes = sessions.stream().flatMap(session -> session.notes().stream()).toList();
-        return new RunReport(program.mainClass(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
+        return new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
                 settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), pose, hash,
                 sessions.stream().mapToLong(session -> session.kernel().contextSwitches()).sum(), first.kernel().physicsSteps(),

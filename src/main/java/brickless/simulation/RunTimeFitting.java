@@ -13,7 +13,7 @@ import java.util.List;
 /** Plugs in what a program uses and its robot lacks: motors seen in its bytecode, and what it opens at run time. */
 final class RunTimeFitting implements MotorFitting, SensorFitting {
     /** The class of {@code Motor.A} to {@code Motor.D}: using one of them opens all four ports, so opening tells nothing about the others. */
-    private static final String READY_MADE = "NXTRegulatedMotor";
+    static final String READY_MADE = "NXTRegulatedMotor";
 
     private final List<String> plugged = new ArrayList<>();
 

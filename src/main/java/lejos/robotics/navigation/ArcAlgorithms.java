@@ -15,8 +15,7 @@ public class ArcAlgorithms {
     /** A cosine may exceed 1 by so much because of rounding. */
     private static final double COSINE_SLACK = 1.1;
 
-    /** All methods are static. */
-    public ArcAlgorithms() {}
+    private ArcAlgorithms() {}
 
     /**
      * The shortest of all ways to a pose, with turns to either side.

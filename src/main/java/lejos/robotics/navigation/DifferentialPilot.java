@@ -355,7 +355,7 @@ public class DifferentialPilot implements LineFollowingMoveController {
     /** Ends the move in progress; the robot then rests. */
     private void end() {
         if (isMoving()) {
-            stop();
+            stop(acceleration);
         }
     }
 
@@ -365,6 +365,7 @@ public class DifferentialPilot implements LineFollowingMoveController {
         WatchedMove move = watch.begin(plan(type, distance, angle), false);
         _type = type;
         wheels.rebase();
+        begun();
         return start(move, motion);
     }
 
@@ -378,7 +379,21 @@ public class DifferentialPilot implements LineFollowingMoveController {
         } else {
             wheels.rebase();
         }
+        begun();
         start(move, motion);
+    }
+
+    /** Called when a move begins, before anybody is told. */
+    void begun() {}
+
+    /** Distance since the motors' counts were zero, negative backward. */
+    float totalDistance() {
+        return wheels.total().distance();
+    }
+
+    /** Change of heading in degrees since the motors' counts were zero. */
+    float totalTurn() {
+        return wheels.total().angle();
     }
 
     private WatchedMove start(WatchedMove move, Runnable motion) {
@@ -406,6 +421,7 @@ public class DifferentialPilot implements LineFollowingMoveController {
         watch.end(false);
         WatchedMove move = watch.begin(plan(_type, 0, 0), false);
         wheels.rebase();
+        begun();
         watch.announce(move);
     }
 

@@ -46,6 +46,11 @@ final class DriveWheels {
         return since(read());
     }
 
+    /** What was done since the motors' counts were zero. */
+    Movement total() {
+        return between(new Reading(0, 0), read());
+    }
+
     /** What was done until now, where the next move may go on. */
     synchronized Movement lastMovement() {
         last = read();
@@ -53,8 +58,12 @@ final class DriveWheels {
     }
 
     private Movement since(Reading now) {
-        float leftDegrees = now.left - base.left;
-        float rightDegrees = now.right - base.right;
+        return between(base, now);
+    }
+
+    private Movement between(Reading from, Reading to) {
+        float leftDegrees = to.left - from.left;
+        float rightDegrees = to.right - from.right;
         float distance = (leftDegrees / left.degPerDistance() + rightDegrees / right.degPerDistance()) / 2;
         float angle = (rightDegrees / right.turnRatio() - leftDegrees / left.turnRatio()) / 2;
         return new Movement(distance, angle);

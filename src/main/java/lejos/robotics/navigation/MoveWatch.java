@@ -135,6 +135,14 @@ final class MoveWatch {
         }
     }
 
+    /** The move in progress, if there is one, is to end even if the robot moves. */
+    void releasePresent() {
+        WatchedMove move = present();
+        if (move != null) {
+            move.release();
+        }
+    }
+
     /** Waits until a move is over. */
     void await(WatchedMove move) {
         if (!isWatcher()) {
