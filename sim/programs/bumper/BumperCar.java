@@ -18,9 +18,12 @@ public class BumperCar {
     public static void main(String[] args) {
         System.out.println("Press any key");
         Button.waitForAnyPress();
+        while (Button.readButtons() != 0) {
+            Thread.yield();
+        }
         LEFT.setSpeed(400);
         RIGHT.setSpeed(400);
-        Behavior[] behaviors = { new DriveForward(), new DetectWall() };
+        Behavior[] behaviors = { new DriveForward(), new DetectWall(), new Quit() };
         new Arbitrator(behaviors).go();
     }
 
@@ -28,12 +31,6 @@ public class BumperCar {
         private boolean suppressed = false;
 
         public boolean takeControl() {
-            if (Button.readButtons() != 0) {
-                suppressed = true;
-                LEFT.stop();
-                RIGHT.stop();
-                System.exit(0);
-            }
             return true;
         }
 
@@ -81,6 +78,24 @@ public class BumperCar {
             }
             LEFT.stop();
             RIGHT.stop();
+        }
+    }
+
+    /** Ends the program when any key is pressed, in the middle of being asked. */
+    static class Quit implements Behavior {
+        public boolean takeControl() {
+            if (Button.readButtons() != 0) {
+                LEFT.stop();
+                RIGHT.stop();
+                System.exit(0);
+            }
+            return false;
+        }
+
+        public void suppress() {
+        }
+
+        public void action() {
         }
     }
 }

@@ -17,13 +17,13 @@ public class BusyWait {
         while (left.isMoving() || right.isMoving()) {
             Thread.yield();
         }
-        LCD.drawString("yielding: " + left.getTachoCount(), 0, 0);
+        LCD.drawString("yielding: " + left.getTachoCount(), 0, 2);
 
         left.rotate(-720, true);
         right.rotate(-720, true);
         while (left.isMoving() || right.isMoving())
             ;
-        LCD.drawString("spinning: " + left.getTachoCount(), 0, 1);
+        LCD.drawString("spinning: " + left.getTachoCount(), 0, 3);
 
         System.out.println(left.getTachoCount() + " " + right.getTachoCount());
         left.close();

@@ -29,7 +29,7 @@ class AvoidWall implements Behavior {
     public void action() {
         suppressed = false;
         turns++;
-        LCD.drawString("Walls " + turns, 0, 1);
+        LCD.drawString("Walls " + turns, 0, 4);
         wheels.spin(turns % 3 == 0 ? -170 : 140);
         while (!suppressed && wheels.moving()) {
             Thread.yield();

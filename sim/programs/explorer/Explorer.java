@@ -24,7 +24,7 @@ public class Explorer {
         EV3UltrasonicSensor ear = new EV3UltrasonicSensor(SensorPort.S4);
         Wheels wheels = new Wheels(left, right);
 
-        LCD.drawString("Explorer", 0, 0);
+        LCD.drawString("Explorer", 0, 3); // what is printed scrolls through the rows above
         Button.LEDPattern(1);
 
         Behavior[] behaviors = {

@@ -7,12 +7,14 @@ import lejos.hardware.sensor.EV3ColorSensor;
 import lejos.robotics.Color;
 import lejos.robotics.subsumption.Behavior;
 import lejos.utility.Delay;
+import lejos.utility.Stopwatch;
 
-/** Stops for a moment on a green patch and says so; then leaves it before looking for green again. */
+/** Stops for a moment on a green patch and says so; then takes no notice of green for a while, so as to get away from it. */
 class PauseOnGreen implements Behavior {
+    private static final int REST_MILLIS = 15000;
     private final Wheels wheels;
     private final EV3ColorSensor eye;
-    private boolean wasGreen;
+    private final Stopwatch sinceLast = new Stopwatch();
     private int visits;
 
     PauseOnGreen(Wheels wheels, EV3ColorSensor eye) {
@@ -22,19 +24,16 @@ class PauseOnGreen implements Behavior {
 
     @Override
     public boolean takeControl() {
-        boolean green = eye.getColorID() == Color.GREEN;
-        if (!green) {
-            wasGreen = false;
-        }
-        return green && !wasGreen;
+        boolean rested = visits == 0 || sinceLast.elapsed() > REST_MILLIS;
+        return rested && eye.getColorID() == Color.GREEN;
     }
 
     @Override
     public void action() {
         wheels.stop();
-        wasGreen = true;
         visits++;
-        LCD.drawString("Green " + visits, 0, 2);
+        sinceLast.reset();
+        LCD.drawString("Green " + visits, 0, 5);
         Button.LEDPattern(4);
         Sound.beepSequenceUp();
         Delay.msDelay(1000);

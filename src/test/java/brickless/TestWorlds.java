@@ -19,7 +19,8 @@ public final class TestWorlds {
 
     /** Four by four metres around the origin with some obstacles and paint. */
     public static World world(List<Obstacle> obstacles, List<Paint> floor) {
-        return new World("test", -2, -2, 4, 4, floor, obstacles, List.of(), List.of(), List.of(), Optional.empty(), List.of(), "");
+        return new World("test", -2, -2, 4, 4, floor, obstacles, List.of(), List.of(), List.of(), Optional.empty(),
+                List.of(), "");
     }
 
     public static World with(Obstacle... obstacles) {
@@ -28,15 +29,18 @@ public final class TestWorlds {
 
     /** An upright rectangle, metres. */
     public static List<Point2> box(double left, double top, double right, double bottom) {
-        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom), new Point2(left, bottom));
+        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom),
+                new Point2(left, bottom));
     }
 
     public static Obstacle wall(String id, double left, double top, double right, double bottom) {
-        return new Obstacle(id, List.of(box(left, top, right, bottom)), false, 0, 0.1, 0.5, false, new Rgb(200, 200, 200));
+        return new Obstacle(id, List.of(box(left, top, right, bottom)), false, 0, 0.1, 0.5, false,
+                new Rgb(200, 200, 200));
     }
 
     public static Obstacle crate(String id, double x, double y, double size, double kilograms) {
-        return new Obstacle(id, List.of(box(x - size / 2, y - size / 2, x + size / 2, y + size / 2)), true, kilograms, 0.1, 0.5, false,
+        return new Obstacle(id, List.of(box(x - size / 2, y - size / 2, x + size / 2, y + size / 2)), true, kilograms,
+                0.1, 0.5, false,
                 new Rgb(200, 150, 100));
     }
 

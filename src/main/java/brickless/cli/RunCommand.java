@@ -13,6 +13,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
 
 /** {@code brickless run}: one headless run, a summary, and the files of the run. */
 @Command(name = "run", description = "Runs a program headless and prints a summary.", mixinStandardHelpOptions = true)
@@ -29,6 +30,9 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--verbose", description = "Logs arbitration and scheduling.")
     private boolean verbose;
 
+    @ParentCommand
+    private Main main;
+
     @Override public Integer call() throws Exception {
         if (verbose) {
             System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", "debug");
@@ -36,8 +40,8 @@ final class RunCommand implements Callable<Integer> {
         try (Program program = options.findProgram()) {
             SimulationSettings settings = options.settings();
             Path folder = out != null ? out : Path.of("build", "simulations", program.simpleName());
-            Simulation simulation = new Simulation(settings.toBuilder().console(System.out).out(Optional.of(folder)).build());
-            PrintStream stream = System.out;
+            Simulation simulation = new Simulation(settings.toBuilder().console(main.out()).out(Optional.of(folder)).build());
+            PrintStream stream = main.out();
             Run run = simulation.start(program);
             run.toEnd();
             RunReport report = run.report();
@@ -51,9 +55,9 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private void explain(String error) {
-        System.err.println(error);
-        System.err.println("run it again: " + options.commandLine()
+        main.err().println(error);
+        main.err().println("run it again: " + options.commandLine()
                 + (options.scheduleSeed == null ? "" : " --schedule-seed " + options.scheduleSeed));
-        System.err.flush();
+        main.err().flush();
     }
 }

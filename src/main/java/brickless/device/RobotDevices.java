@@ -19,8 +19,8 @@ import java.util.Arrays;
 /**
  * Motors, sensors and battery of one robot, as drawn in its model.
  *
- * <p>The simulation calls {@link #beforeStep} of all robots, then {@link brickless.physics.Arena#step}, then {@link #afterStep} of all robots, holding the
- * arena's monitor throughout. Neither allocates.
+ * <p>The simulation calls {@link #beforeStep} of all robots, then {@link brickless.physics.Arena#step}, then {@link
+ * #afterStep} of all robots, holding the arena's monitor throughout. Neither allocates.
  */
 public final class RobotDevices {
     private static final int PORTS = 4;
@@ -46,7 +46,8 @@ public final class RobotDevices {
         this.processor = processor;
         this.arena = surroundings.arena();
         Arrays.setAll(motors, port -> new MotorDevice(port, robot.shaft(port), processor, arena, motorFitting));
-        Arrays.setAll(sensors, port -> new SensorPortDevice(port, robot, surroundings, remote, processor, sensorFitting));
+        Arrays.setAll(sensors,
+                port -> new SensorPortDevice(port, robot, surroundings, remote, processor, sensorFitting));
         RobotModel model = robot.model();
         model.wheels().forEach(wheel -> motors[wheel.port()].plug(wheel.motor()));
         model.turrets().forEach(turret -> motors[turret.port()].plug(turret.motor()));
@@ -85,7 +86,10 @@ public final class RobotDevices {
         arena.sound().setDecibels(decibels);
     }
 
-    /** Starts several regulated moves in one command and one control tick, see {@link brickless.hardware.BrickHardware#moveTogether}. */
+    /**
+     * Starts several regulated moves in one command and one control tick, see {@link
+     * brickless.hardware.BrickHardware#moveTogether}.
+     */
     public void moveTogether(int[] ports, MoveRequest[] requests) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         for (int i = 0; i < ports.length; i++) {
@@ -104,6 +108,16 @@ public final class RobotDevices {
             fromBattery += motor.batteryAmperes();
         }
         battery.load(inMotors, fromBattery);
+    }
+
+    /** The program is over: motors coast and sensors fall silent, as when the brick's drivers are closed. */
+    public void powerOff() {
+        for (MotorDevice motor : motors) {
+            motor.release();
+        }
+        for (SensorPortDevice sensor : sensors) {
+            sensor.release();
+        }
     }
 
     /** Sensors follow the arena; {@code nowNanos} is the time after the step. */

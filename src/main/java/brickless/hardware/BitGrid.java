@@ -1,6 +1,9 @@
 package brickless.hardware;
 
-/** A small bitmap in the byte order of the screen: rows of whole bytes, lowest bit leftmost. Not shared while it is written. */
+/**
+ * A small bitmap in the byte order of the screen: rows of whole bytes, lowest bit leftmost. Not shared while it is
+ * written.
+ */
 final class BitGrid {
     private final int width;
     private final int height;
@@ -37,8 +40,8 @@ final class BitGrid {
     }
 
     /**
-     * The bitmap at twice the size, its diagonal steps smoothed: a quarter pixel takes the colour of the two neighbours it touches when
-     * these agree and their opposites differ. Cells of {@code cellWidth} pixels do not see each other.
+     * The bitmap at twice the size, its diagonal steps smoothed: a quarter pixel takes the colour of the two neighbours
+     * it touches when these agree and their opposites differ. Cells of {@code cellWidth} pixels do not see each other.
      */
     BitGrid doubled(int cellWidth) {
         BitGrid result = new BitGrid(2 * width, 2 * height);

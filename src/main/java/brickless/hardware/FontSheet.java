@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads a font drawn as text: blocks of rows, each row holding the same row of several glyphs side by side, {@code #} for ink. Lines that
- * start with {@code %} are comments.
+ * Reads a font drawn as text: blocks of rows, each row holding the same row of several glyphs side by side, {@code #}
+ * for ink. Lines that start with {@code %} are comments.
  */
 final class FontSheet {
     private FontSheet() {}
@@ -29,7 +29,8 @@ final class FontSheet {
             glyph += glyphs;
         }
         if (glyph != ScreenFont.CHARACTERS) {
-            throw new IllegalStateException(resource + " holds " + glyph + " glyphs instead of " + ScreenFont.CHARACTERS);
+            throw new IllegalStateException(resource + " holds " + glyph + " glyphs instead of "
+                    + ScreenFont.CHARACTERS);
         }
         return strip;
     }

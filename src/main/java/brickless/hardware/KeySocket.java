@@ -15,8 +15,8 @@ public interface KeySocket {
     int awaitChange(int known, long timeoutNanos) throws InterruptedException;
 
     /**
-     * Blocks like {@link #awaitChange} without time limit, on behalf of key listeners: the program itself goes on, so nobody is expected to
-     * press a key for it.
+     * Blocks like {@link #awaitChange} without time limit, on behalf of key listeners: the program itself goes on, so
+     * nobody is expected to press a key for it.
      *
      * @throws InterruptedException if the calling program thread is interrupted
      */
@@ -25,6 +25,9 @@ public interface KeySocket {
     /** Presses or releases a key by program ({@code Key.simulateEvent}). */
     void simulate(int keyMask, boolean down);
 
-    /** Whether somebody watches the brick and can press keys. If not, nothing waits for a key that only dismisses a message. */
+    /**
+     * Whether somebody watches the brick and can press keys. If not, nothing waits for a key that only dismisses a
+     * message.
+     */
     boolean attended();
 }

@@ -3,8 +3,8 @@ package brickless.hardware;
 /**
  * A fixed-width font of the brick's screen: the characters 32 to 127 as one strip of 96 cells.
  *
- * <p>The small and the medium font are drawn in text files beside this class; the large one is the medium font doubled with smoothed diagonals.
- * Immutable and shared by all robots.
+ * <p>The small and the medium font are drawn in text files beside this class; the large one is the medium font doubled
+ * with smoothed diagonals. Immutable and shared by all robots.
  */
 public final class ScreenFont {
     /** First character of the strip. */

@@ -12,7 +12,8 @@ public interface ScreenSocket {
     /**
      * Adds a layer, or finds it again by name. New layers are visible and refresh themselves.
      *
-     * @return the layer's live memory, {@code ROW_BYTES × HEIGHT} bytes, row by row, 1 = black; drawing is writing to it
+     * @return the layer's live memory, {@code ROW_BYTES × HEIGHT} bytes, row by row, 1 = black; drawing is writing to
+     *     it
      */
     byte[] layer(String name);
 

@@ -1,5 +1,7 @@
 package brickless.kernel;
 
+import brickless.kernel.hooks.InstructionCharges;
+
 /**
  * What operations cost in virtual time, in nanoseconds.
  *
@@ -9,9 +11,9 @@ package brickless.kernel;
  */
 public final class Costs {
     /** One turn of a loop that does some work (estimate). */
-    public static final int BACK_EDGE_NANOS = 500;
+    public static final int BACK_EDGE_NANOS = InstructionCharges.BACK_EDGE_NANOS;
     /** One turn of a loop that only reads and compares, which stands for many turns (estimate). */
-    public static final int PURE_SPIN_NANOS = 20_000;
+    public static final int PURE_SPIN_NANOS = InstructionCharges.PURE_SPIN_NANOS;
     /** The first {@code Thread.yield} after progress (estimate). */
     public static final int YIELD_NANOS = 100_000;
     /**
@@ -36,7 +38,7 @@ public final class Costs {
     /** {@code Thread.start} (estimate). */
     public static final int THREAD_START_NANOS = 500_000;
     /** Allocating an array, for each byte (estimate). */
-    public static final int ALLOCATED_BYTE_NANOS = 4;
+    public static final int ALLOCATED_BYTE_NANOS = InstructionCharges.ALLOCATION_NANOS_PER_BYTE;
 
     private Costs() {
     }

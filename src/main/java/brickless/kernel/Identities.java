@@ -19,7 +19,7 @@ final class Identities {
     private long threadId;
 
     Identities(long seed) {
-        random = new Random(seed);
+        random = new Random(Seeds.spread(seed));
     }
 
     long nextRandomLong() {

@@ -400,7 +400,8 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     private void admit(Thread thread, Runnable body) {
-        Fibre fibre = new Fibre(roster.nextId(), thread, contextLoader, self -> runToEnd(self, body), scheduler::timedOut);
+        Fibre fibre = new Fibre(
+                roster.nextId(), thread, contextLoader, self -> runToEnd(self, body), scheduler::timedOut);
         roster.add(fibre);
         scheduler.admit(fibre);
     }

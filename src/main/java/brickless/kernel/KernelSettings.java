@@ -44,15 +44,17 @@ public record KernelSettings(
         Objects.requireNonNull(scheduleSeed, "scheduleSeed");
         Objects.requireNonNull(backend, "backend");
         if (stepNanos <= 0 || limitNanos <= 0 || watchdogNanos < 0 || maximumThreads < 1 || stackBytes < 0) {
-            throw new IllegalArgumentException("out of range: step " + stepNanos + " ns, limit " + limitNanos + " ns, watchdog "
-                    + watchdogNanos + " ns, threads " + maximumThreads + ", stack " + stackBytes + " bytes");
+            throw new IllegalArgumentException("out of range: step " + stepNanos + " ns, limit " + limitNanos
+                    + " ns, watchdog " + watchdogNanos + " ns, threads " + maximumThreads + ", stack " + stackBytes
+                    + " bytes");
         }
     }
 
     /** Seed 0, round-robin, 2 ms steps, no limit, the best back-end, a watchdog of 10 s. */
     public static KernelSettings defaults() {
-        return new KernelSettings("robot", 0, OptionalLong.empty(), DEFAULT_STEP_NANOS, Long.MAX_VALUE, DEFAULT_EPOCH_MILLIS,
-                BackendChoice.AUTO, DEFAULT_WATCHDOG_NANOS, DEFAULT_MAXIMUM_THREADS, DEFAULT_STACK_BYTES);
+        return new KernelSettings("robot", 0, OptionalLong.empty(), DEFAULT_STEP_NANOS, Long.MAX_VALUE,
+                DEFAULT_EPOCH_MILLIS, BackendChoice.AUTO, DEFAULT_WATCHDOG_NANOS, DEFAULT_MAXIMUM_THREADS,
+                DEFAULT_STACK_BYTES);
     }
 
     /** With another name. */
@@ -69,8 +71,8 @@ public record KernelSettings(
 
     /** With a random schedule. */
     public KernelSettings withScheduleSeed(long value) {
-        return new KernelSettings(name, seed, OptionalLong.of(value), stepNanos, limitNanos, epochMillis, backend, watchdogNanos,
-                maximumThreads, stackBytes);
+        return new KernelSettings(name, seed, OptionalLong.of(value), stepNanos, limitNanos, epochMillis, backend,
+                watchdogNanos, maximumThreads, stackBytes);
     }
 
     /** With another step length in nanoseconds. */

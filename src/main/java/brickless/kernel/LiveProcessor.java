@@ -3,6 +3,7 @@ package brickless.kernel;
 import java.util.Objects;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 
 /**
@@ -181,6 +182,16 @@ public final class LiveProcessor implements Processor, AutoCloseable {
                     Thread.currentThread().interrupt();
                 }
             }
+        }
+
+        /** The lock is held from the look to the wait, so no raise gets in between. */
+        @Override
+        public void awaitWhile(BooleanSupplier condition) {
+            exclusively(() -> {
+                while (condition.getAsBoolean()) {
+                    raised.awaitUninterruptibly();
+                }
+            });
         }
 
         @Override

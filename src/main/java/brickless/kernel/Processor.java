@@ -1,5 +1,7 @@
 package brickless.kernel;
 
+import java.util.function.BooleanSupplier;
+
 /**
  * The processor a robot's program runs on, as device models and sockets see it: a clock, a way to charge time for a
  * call, and a way to block.
@@ -43,5 +45,15 @@ public interface Processor {
          * @throws InterruptedException if interrupted before or during the wait
          */
         boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException;
+
+        /**
+         * Blocks the calling program thread while a condition holds, looking at it again after each {@link #raise()}; no raise between
+         * a look and the wait is lost. Interrupts are ignored and kept.
+         */
+        default void awaitWhile(BooleanSupplier condition) {
+            while (condition.getAsBoolean()) {
+                await(0);
+            }
+        }
     }
 }

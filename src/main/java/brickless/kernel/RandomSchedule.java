@@ -16,7 +16,7 @@ final class RandomSchedule implements Schedule {
     private final Random random;
 
     RandomSchedule(long seed) {
-        random = new Random(seed);
+        random = new Random(Seeds.spread(seed));
     }
 
     @Override

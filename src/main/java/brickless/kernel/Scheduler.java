@@ -93,7 +93,8 @@ final class Scheduler {
 
     /** {@code Thread.yield}: charges, the more the longer the fibre has made no progress. */
     void yieldProcessor() {
-        long nanos = Math.min(Costs.LONGEST_YIELD_NANOS, (long) Costs.YIELD_NANOS << Math.min(current.yields, Integer.SIZE));
+        long doubled = (long) Costs.YIELD_NANOS << Math.min(current.yields, Integer.SIZE);
+        long nanos = Math.min(Costs.LONGEST_YIELD_NANOS, doubled);
         current.yields++;
         if (ready.isEmpty() && clock.spend(nanos)) {
             return;

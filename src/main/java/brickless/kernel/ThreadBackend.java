@@ -9,13 +9,10 @@ import java.util.function.Consumer;
 /**
  * One platform thread for each fibre; exactly one has the turn, all others are parked.
  *
- * <p>The carrier that gave the turn away last spins for a moment before it parks, because threads often come back at
- * once (waking a parked thread costs some 20 µs, a spinning one less than 1 µs).
+ * <p>The carrier that gave the turn away last may spin for a moment before it parks, because two threads often take
+ * turns; see {@link SpinBackOff}.
  */
 final class ThreadBackend implements Backend {
-    /** About as long as waking takes. */
-    private static final int SPINS = Runtime.getRuntime().availableProcessors() > 1 ? 500 : 0;
-
     private final long stackBytes;
     private final CountDownLatch over = new CountDownLatch(1);
     private final Set<Carrier> carriers = ConcurrentHashMap.newKeySet();
@@ -40,6 +37,7 @@ final class ThreadBackend implements Backend {
     @Override
     public void start(Fibre first, Consumer<Throwable> failureListener) {
         onFailure = failureListener;
+        SpinBackOff.runBegins();
         give(first);
     }
 
@@ -51,6 +49,7 @@ final class ThreadBackend implements Backend {
                 carrier.join();
             }
         }
+        SpinBackOff.runEnds();
     }
 
     @Override
@@ -58,9 +57,7 @@ final class ThreadBackend implements Backend {
         Carrier me = carrierOf(from);
         lastLeft = me;
         give(to);
-        for (int i = 0; i < SPINS && lastLeft == me && !me.turn.given(); i++) {
-            Thread.onSpinWait();
-        }
+        me.spin();
         me.turn.await();
         if (abandoned) {
             throw new ProgramKilled();
@@ -106,12 +103,29 @@ final class ThreadBackend implements Backend {
     private final class Carrier extends Thread {
         private final Fibre fibre;
         private final Turn turn = new Turn(this);
+        private final SpinBackOff backOff = new SpinBackOff();
 
         Carrier(Fibre fibre, boolean inheritThreadLocals) {
             super(null, null, "brickless " + fibre.thread.getName(), stackBytes, inheritThreadLocals);
             this.fibre = fibre;
             setDaemon(true);
             setContextClassLoader(fibre.contextLoader);
+        }
+
+        /** Waits actively for the turn, as long as that may pay and no other carrier came to wait. */
+        void spin() {
+            int spins = backOff.spins();
+            if (spins == 0) {
+                return;
+            }
+            for (int i = 0; i < spins && lastLeft == this; i++) {
+                if (turn.given()) {
+                    backOff.succeeded();
+                    return;
+                }
+                Thread.onSpinWait();
+            }
+            backOff.failed();
         }
 
         @Override

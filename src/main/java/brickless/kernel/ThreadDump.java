@@ -19,7 +19,8 @@ final class ThreadDump {
         this.backend = backend;
         long micros = timeNanos / NANOS_PER_MICRO;
         String fraction = Long.toString(MICROS_PER_MILLI + micros % MICROS_PER_MILLI).substring(1);
-        text.append(title).append(" at ").append(micros / MICROS_PER_MILLI).append('.').append(fraction).append(" ms\n");
+        text.append(title).append(" at ").append(micros / MICROS_PER_MILLI).append('.').append(fraction)
+                .append(" ms\n");
     }
 
     /** Lists fibres; from any thread. */
@@ -66,7 +67,8 @@ final class ThreadDump {
 
     private void appendLock(Fibre fibre) {
         Object lock = fibre.monitor.lock;
-        text.append(" on ").append(lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName());
+        text.append(" on ")
+                .append(lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName());
     }
 
     private static String name(Fibre fibre) {
@@ -80,6 +82,7 @@ final class ThreadDump {
 
     /** Without module and class loader, which say nothing to the program's author. */
     private static StackTraceElement inShort(StackTraceElement frame) {
-        return new StackTraceElement(frame.getClassName(), frame.getMethodName(), frame.getFileName(), frame.getLineNumber());
+        return new StackTraceElement(
+                frame.getClassName(), frame.getMethodName(), frame.getFileName(), frame.getLineNumber());
     }
 }

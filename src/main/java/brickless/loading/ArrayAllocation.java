@@ -9,7 +9,10 @@ import org.objectweb.asm.tree.IntInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.MultiANewArrayInsnNode;
 
-/** New arrays are charged for, and refused when the brick could not hold them. Of arrays of arrays the two innermost lengths count. */
+/**
+ * New arrays are charged for, and refused when the brick could not hold them. Of arrays of arrays the two innermost
+ * lengths count.
+ */
 final class ArrayAllocation implements MethodPass {
     private static final int REFERENCE_BYTES = 4;
 

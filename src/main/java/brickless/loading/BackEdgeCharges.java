@@ -7,6 +7,7 @@ import java.util.Map;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
+import org.objectweb.asm.tree.InsnList;
 import org.objectweb.asm.tree.JumpInsnNode;
 import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.LookupSwitchInsnNode;
@@ -14,14 +15,17 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TableSwitchInsnNode;
 
 /**
- * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in a loop must reach the
- * budget check too.
+ * Loops are charged at every jump back, and lambda bodies at their entry: an empty callback that a JDK method calls in
+ * a loop must reach the budget check too.
  */
 final class BackEdgeCharges implements MethodPass {
     private static final String LAMBDA_PREFIX = "lambda$";
 
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
+        if (DrawingLoops.contain(type.name)) {
+            return;
+        }
         Map<AbstractInsnNode, Integer> positions = positions(method);
         for (AbstractInsnNode node : method.instructions.toArray()) {
             for (LabelNode target : targets(node)) {
@@ -33,7 +37,9 @@ final class BackEdgeCharges implements MethodPass {
             }
         }
         if (method.name.startsWith(LAMBDA_PREFIX)) {
-            method.instructions.insert(Code.call(Code.HOOKS, "tick", "()V"));
+            InsnList entry = new InsnList();
+            entry.add(Code.call(Code.HOOKS, "tick", "()V"));
+            Code.insertAtStart(method, entry);
         }
     }
 

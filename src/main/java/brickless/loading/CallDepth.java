@@ -15,8 +15,9 @@ import org.objectweb.asm.tree.TryCatchBlockNode;
 import org.objectweb.asm.tree.VarInsnNode;
 
 /**
- * Call depth: methods that call others count themselves in and out, so that endless recursion ends in a StackOverflowError at the same depth
- * on every host. A local variable keeps the method's depth for returns and handlers.
+ * Call depth: methods that call others count themselves in and out, so that endless recursion ends in a
+ * StackOverflowError at the same depth on every host. A local variable keeps the method's depth for returns and
+ * handlers.
  */
 final class CallDepth implements MethodPass {
     @Override
@@ -39,20 +40,21 @@ final class CallDepth implements MethodPass {
         InsnList enter = new InsnList();
         enter.add(Code.call(Code.HOOKS, "enter", "()I"));
         enter.add(new VarInsnNode(Opcodes.ISTORE, depth));
-        method.instructions.insert(enter);
+        Code.insertAtStart(method, enter);
     }
 
     private static boolean callsOthers(MethodNode method) {
         for (AbstractInsnNode node : method.instructions) {
-            if (node.getOpcode() == Opcodes.INVOKEDYNAMIC || node instanceof MethodInsnNode && !isRootConstructor((MethodInsnNode) node)) {
+            if (node.getOpcode() == Opcodes.INVOKEDYNAMIC || node instanceof MethodInsnNode
+                    && !isHarmless((MethodInsnNode) node)) {
                 return true;
             }
         }
         return false;
     }
 
-    private static boolean isRootConstructor(MethodInsnNode call) {
-        return call.owner.equals(Code.OBJECT) && "<init>".equals(call.name);
+    private static boolean isHarmless(MethodInsnNode call) {
+        return call.owner.equals(Code.HOOKS) || call.owner.equals(Code.OBJECT) && "<init>".equals(call.name);
     }
 
     private static InsnList leave(int depth) {

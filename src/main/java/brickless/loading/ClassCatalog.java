@@ -5,7 +5,10 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Answers questions about the classes that are rewritten for a robot, by internal name. Not thread-safe: guarded by the loader's lock. */
+/**
+ * Answers questions about the classes that are rewritten for a robot, by internal name. Not thread-safe: guarded by the
+ * loader's lock.
+ */
 final class ClassCatalog {
     private final Function<String, ClassFile> rewritable;
     private final JdkReplacements replacements;
@@ -67,7 +70,10 @@ final class ClassCatalog {
         return name;
     }
 
-    /** The rewritten class that declares a static method or field named through {@code owner}; {@code owner} itself if none does. */
+    /**
+     * The rewritten class that declares a static method or field named through {@code owner}; {@code owner} itself if
+     * none does.
+     */
     String declaringClass(String owner, String member, boolean method) {
         String name = owner;
         for (ClassSummary summary = summary(name); summary != null; summary = summary(name)) {
@@ -100,7 +106,10 @@ final class ClassCatalog {
         return summary.initialisation() == Initialisation.MAY_BLOCK || initialisesOnFibre(summary.superName());
     }
 
-    /** Whether the class's own static initialiser is run on a fibre: it may block, or must wait for a superclass that may. */
+    /**
+     * Whether the class's own static initialiser is run on a fibre: it may block, or must wait for a superclass that
+     * may.
+     */
     boolean ownInitialiserOnFibre(String name) {
         return initialisesOnFibre(name) && summary(name).initialisation() != Initialisation.NONE;
     }

@@ -16,8 +16,8 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
 /**
- * Class initialisation in virtual time: a static initialiser that may block is renamed, and every use of the class in another class calls its
- * trigger first. A native {@code <clinit>} frame could not be switched away.
+ * Class initialisation in virtual time: a static initialiser that may block is renamed, and every use of the class in
+ * another class calls its trigger first. A native {@code <clinit>} frame could not be switched away.
  */
 final class ClassInitialisers implements ClassPass, MethodPass {
     private static final String DONE = "$initialized";
@@ -53,7 +53,8 @@ final class ClassInitialisers implements ClassPass, MethodPass {
     public void rewrite(ClassNode type, MethodNode method) {
         for (AbstractInsnNode node : method.instructions.toArray()) {
             String used = usedClass(node);
-            if (used == null || used.equals(type.name) || !catalog.initialisesOnFibre(used) || catalog.isSuperclass(used, type.name)) {
+            if (used == null || used.equals(type.name) || !catalog.initialisesOnFibre(used)
+                    || catalog.isSuperclass(used, type.name)) {
                 continue;
             }
             MethodInsnNode trigger = Code.call(used, ClassInitialization.TRIGGER, "()V");
@@ -86,8 +87,10 @@ final class ClassInitialisers implements ClassPass, MethodPass {
         if (!catalog.initialisesOnFibre(type.name)) {
             return;
         }
-        type.fields.add(new FieldNode(Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC, DONE, "Z", null, null));
-        MethodNode trigger = new MethodNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC, ClassInitialization.TRIGGER,
+        type.fields.add(new FieldNode(Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC, DONE, "Z",
+                null, null));
+        MethodNode trigger = new MethodNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC,
+                ClassInitialization.TRIGGER,
                 "()V", null, null);
         LabelNode end = new LabelNode();
         InsnList code = trigger.instructions;

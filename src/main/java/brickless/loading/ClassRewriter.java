@@ -12,8 +12,8 @@ import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodNode;
 
 /**
- * Puts a class through all passes. The order matters: class initialisation looks at the original uses, redirects see bridges, charges come after
- * calls are final, and synchronized wraps everything.
+ * Puts a class through all passes. The order matters: class initialisation looks at the original uses, redirects see
+ * bridges, charges come after calls are final, and synchronized wraps everything.
  */
 final class ClassRewriter {
     private final JdkReplacements replacements;
@@ -27,10 +27,12 @@ final class ClassRewriter {
         initialisers = new ClassInitialisers(catalog);
         JdkCallRedirects redirects = new JdkCallRedirects(catalog);
         ConstructedReplacements constructed = new ConstructedReplacements(replacements);
-        classPasses = List.of(new Finalizers(catalog), initialisers, new MethodReferenceBridges(redirects, constructed, catalog), constructed);
-        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed, new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
-                new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(), new CallDepth(),
-                new SynchronizedMethods());
+        classPasses = List.of(new Finalizers(catalog), initialisers,
+                new MethodReferenceBridges(redirects, constructed, catalog), constructed);
+        methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed,
+                new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
+                new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(),
+                new CallDepth(), new SynchronizedMethods());
     }
 
     /**
@@ -53,7 +55,8 @@ final class ClassRewriter {
             type.accept(writer);
             return writer.toByteArray();
         } catch (MethodTooLargeException | ClassTooLargeException tooLarge) {
-            throw new UnloadableClassError(name, file.origin(), "too large to be rewritten: " + tooLarge.getMessage(), tooLarge);
+            throw new UnloadableClassError(name, file.origin(), "too large to be rewritten: " + tooLarge.getMessage(),
+                    tooLarge);
         }
     }
 

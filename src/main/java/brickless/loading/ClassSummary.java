@@ -3,7 +3,8 @@ package brickless.loading;
 import java.util.Set;
 
 /**
- * What rewriting one class needs to know about another class that is rewritten too. Value equality tells the cache whether it changed.
+ * What rewriting one class needs to know about another class that is rewritten too. Value equality tells the cache
+ * whether it changed.
  *
  * @param superName internal name of the superclass after JDK replacements; null for none
  * @param isInterface whether it is an interface
@@ -11,7 +12,8 @@ import java.util.Set;
  * @param staticFields names of the declared static fields
  * @param initialisation what its static initialiser does
  */
-record ClassSummary(String superName, boolean isInterface, Set<String> methods, Set<String> staticFields, Initialisation initialisation) {
+record ClassSummary(String superName, boolean isInterface, Set<String> methods, Set<String> staticFields,
+        Initialisation initialisation) {
     /** What the static initialiser does. */
     enum Initialisation { NONE, HARMLESS, MAY_BLOCK }
 }

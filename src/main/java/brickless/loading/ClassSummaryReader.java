@@ -38,15 +38,21 @@ final class ClassSummaryReader extends ClassVisitor {
      */
     static ClassSummary read(ClassFile file, String name, JdkReplacements replacements, Predicate<String> isProgram) {
         ClassSummaryReader reader = new ClassSummaryReader(name, replacements, isProgram);
-        ClassFiles.reader(file, name).accept(reader, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
-        return new ClassSummary(reader.superName, reader.isInterface, Set.copyOf(reader.methods), Set.copyOf(reader.staticFields),
+        try {
+            ClassFiles.reader(file, name).accept(reader, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
+        } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
+            throw ClassFiles.damaged(file, name, damaged);
+        }
+        return new ClassSummary(reader.superName, reader.isInterface, Set.copyOf(reader.methods),
+                Set.copyOf(reader.staticFields),
                 reader.initialisation);
     }
 
     @Override
     public void visit(int version, int access, String name, String signature, String superclass, String[] interfaces) {
         isInterface = (access & Opcodes.ACC_INTERFACE) != 0;
-        superName = superclass == null || JdkReplacements.isReplacement(name) ? superclass : replacements.map(superclass);
+        superName = superclass == null || JdkReplacements.isReplacement(name) ? superclass
+                : replacements.map(superclass);
     }
 
     @Override
@@ -58,7 +64,8 @@ final class ClassSummaryReader extends ClassVisitor {
     }
 
     @Override
-    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+            String[] exceptions) {
         methods.add(name + descriptor);
         if (!"<clinit>".equals(name)) {
             return null;
@@ -67,14 +74,18 @@ final class ClassSummaryReader extends ClassVisitor {
         return new InitialiserReader();
     }
 
-    /** Looks for anything that could block or start something: other program classes, threads, monitors, redirected calls. */
+    /**
+     * Looks for anything that could block or start something: other program classes, threads, monitors, redirected
+     * calls.
+     */
     private final class InitialiserReader extends MethodVisitor {
         InitialiserReader() {
             super(Opcodes.ASM9);
         }
 
         private void uses(String owner) {
-            if (THREAD.equals(owner) || isProgram.test(JdkReplacements.isReplacement(self) ? owner : replacements.map(owner))) {
+            if (THREAD.equals(owner) || isProgram.test(JdkReplacements.isReplacement(self) ? owner
+                    : replacements.map(owner))) {
                 initialisation = Initialisation.MAY_BLOCK;
             }
         }
@@ -94,7 +105,8 @@ final class ClassSummaryReader extends ClassVisitor {
         }
 
         @Override
-        public void visitMethodInsn(int opcode, String owner, String name, String descriptor, boolean ownerIsInterface) {
+        public void visitMethodInsn(int opcode, String owner, String name, String descriptor,
+                boolean ownerIsInterface) {
             if (!JdkCalls.withSignature(name, descriptor).isEmpty()) {
                 initialisation = Initialisation.MAY_BLOCK;
             }

@@ -12,6 +12,7 @@ import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.LineNumberNode;
 import org.objectweb.asm.tree.MethodInsnNode;
+import org.objectweb.asm.tree.MethodNode;
 
 /** Small pieces of bytecode that several passes insert. */
 final class Code {
@@ -62,8 +63,24 @@ final class Code {
     }
 
     /**
-     * The last node that belongs to the start of a handler: insertions go after it. A label that follows may be one that frames refer to for
-     * a NEW instruction, so nothing may come between it and that instruction.
+     * Inserts code before a method's first instruction, on the method's first line, so that stack traces from there
+     * have a line.
+     */
+    static void insertAtStart(MethodNode method, InsnList code) {
+        for (AbstractInsnNode node : method.instructions) {
+            if (node instanceof LineNumberNode) {
+                LabelNode label = new LabelNode();
+                code.insert(new LineNumberNode(((LineNumberNode) node).line, label));
+                code.insert(label);
+                break;
+            }
+        }
+        method.instructions.insert(code);
+    }
+
+    /**
+     * The last node that belongs to the start of a handler: insertions go after it. A label that follows may be one
+     * that frames refer to for a NEW instruction, so nothing may come between it and that instruction.
      */
     static AbstractInsnNode startOf(LabelNode handler) {
         AbstractInsnNode start = handler;

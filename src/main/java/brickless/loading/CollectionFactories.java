@@ -10,13 +10,14 @@ import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
 /**
- * {@code Set.of(…)} and {@code Map.of(…)} keep the order given. They have a dozen signatures each, so the calls become invokedynamic ones whose
- * arguments are collected; the class file is of Java 9 or later, or it could not call them.
+ * {@code Set.of(…)} and {@code Map.of(…)} keep the order given. They have a dozen signatures each, so the calls
+ * become invokedynamic ones whose arguments are collected; the class file is of Java 9 or later, or it could not
+ * call them.
  */
 final class CollectionFactories implements MethodPass {
     private static final String HOOKS = "brickless/kernel/hooks/CollectionHooks";
-    private static final String BOOTSTRAP =
-            "(Ljava/lang/invoke/MethodHandles$Lookup;Ljava/lang/String;Ljava/lang/invoke/MethodType;)Ljava/lang/invoke/CallSite;";
+    private static final String BOOTSTRAP = "(Ljava/lang/invoke/MethodHandles$Lookup;Ljava/lang/String;"
+            + "Ljava/lang/invoke/MethodType;)Ljava/lang/invoke/CallSite;";
     private static final Map<String, String> COLLECTORS = Map.of("java/util/Set", "setOf", "java/util/Map", "mapOf");
 
     @Override
@@ -26,7 +27,8 @@ final class CollectionFactories implements MethodPass {
                 MethodInsnNode call = (MethodInsnNode) node;
                 if ("of".equals(call.name) && COLLECTORS.containsKey(call.owner)) {
                     Handle bootstrap = new Handle(Opcodes.H_INVOKESTATIC, HOOKS, "collecting", BOOTSTRAP, false);
-                    method.instructions.set(call, new InvokeDynamicInsnNode(COLLECTORS.get(call.owner), call.desc, bootstrap));
+                    method.instructions.set(call, new InvokeDynamicInsnNode(COLLECTORS.get(call.owner), call.desc,
+                            bootstrap));
                 }
             }
         }

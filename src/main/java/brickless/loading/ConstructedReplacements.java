@@ -8,8 +8,8 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
 /**
- * JDK classes that are replaced by a subclass of ours: {@code new Thread()} and {@code extends Thread} use the subclass, and static methods
- * that the replacement declares too are called there. Types stay the JDK's.
+ * JDK classes that are replaced by a subclass of ours: {@code new Thread()} and {@code extends Thread} use the
+ * subclass, and static methods that the replacement declares too are called there. Types stay the JDK's.
  */
 final class ConstructedReplacements implements ClassPass, MethodPass {
     private final JdkReplacements replacements;

@@ -6,7 +6,10 @@ import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
-/** Finalizers are renamed, so that the host's garbage collector never runs program code; calls by the program itself still find them. */
+/**
+ * Finalizers are renamed, so that the host's garbage collector never runs program code; calls by the program itself
+ * still find them.
+ */
 final class Finalizers implements ClassPass {
     private static final String NAME = "finalize";
     private static final String RENAMED = "$finalize";

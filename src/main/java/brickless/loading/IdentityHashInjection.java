@@ -11,8 +11,8 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.VarInsnNode;
 
 /**
- * Classes that would have the host's identity hash get a sequential one: a field drawn at first use, and a hashCode unless they have their own.
- * Done once per family, in the class whose superclass is the JDK's.
+ * Classes that would have the host's identity hash get a sequential one: a field drawn at first use, and a hashCode
+ * unless they have their own. Done once per family, in the class whose superclass is the JDK's.
  */
 final class IdentityHashInjection implements ClassPass {
     private static final String INTERFACE = "brickless/kernel/hooks/IdentityHashed";
@@ -29,9 +29,11 @@ final class IdentityHashInjection implements ClassPass {
         }
         type.interfaces = new ArrayList<>(type.interfaces);
         type.interfaces.add(INTERFACE);
-        type.fields.add(new FieldNode(Opcodes.ACC_PRIVATE | Opcodes.ACC_TRANSIENT | Opcodes.ACC_SYNTHETIC, FIELD, "I", null, null));
+        type.fields.add(new FieldNode(Opcodes.ACC_PRIVATE | Opcodes.ACC_TRANSIENT | Opcodes.ACC_SYNTHETIC, FIELD, "I",
+                null, null));
         type.methods.add(identityHash(type));
-        if (type.methods.stream().noneMatch(method -> "hashCode".equals(method.name) && RETURNS_INT.equals(method.desc))) {
+        if (type.methods.stream().noneMatch(method -> "hashCode".equals(method.name)
+                && RETURNS_INT.equals(method.desc))) {
             type.methods.add(hashCode(type));
         }
     }
@@ -50,7 +52,8 @@ final class IdentityHashInjection implements ClassPass {
     }
 
     private static MethodNode hashCode(ClassNode type) {
-        MethodNode method = new MethodNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_SYNTHETIC, "hashCode", RETURNS_INT, null, null);
+        MethodNode method = new MethodNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_SYNTHETIC, "hashCode", RETURNS_INT, null,
+                null);
         method.instructions.add(new VarInsnNode(Opcodes.ALOAD, 0));
         method.instructions.add(new MethodInsnNode(Opcodes.INVOKEVIRTUAL, type.name, METHOD, RETURNS_INT, false));
         method.instructions.add(new InsnNode(Opcodes.IRETURN));

@@ -11,12 +11,16 @@ import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
-/** Calls listed in {@link JdkCalls} go to hooks. What counts is where the lookup of the method ends, so {@code MyThread.sleep(5)} is found. */
+/**
+ * Calls listed in {@link JdkCalls} go to hooks. What counts is where the lookup of the method ends, so
+ * {@code MyThread.sleep(5)} is found.
+ */
 final class JdkCallRedirects implements MethodPass {
     /** Final classes whose toString and hashCode are specified: asking a hook would only cost time. */
-    private static final Set<String> DETERMINISTIC = Set.of("java/lang/String", "java/lang/Integer", "java/lang/Long", "java/lang/Short",
-            "java/lang/Byte", "java/lang/Character", "java/lang/Boolean", "java/lang/StringBuilder", "java/lang/StringBuffer",
-            "java/math/BigDecimal", "java/math/BigInteger");
+    private static final Set<String> DETERMINISTIC = Set.of(
+            "java/lang/String", "java/lang/StringBuilder", "java/lang/StringBuffer",
+            "java/lang/Integer", "java/lang/Long", "java/lang/Short", "java/lang/Byte",
+            "java/lang/Character", "java/lang/Boolean", "java/math/BigDecimal", "java/math/BigInteger");
 
     private final ClassCatalog catalog;
 
@@ -83,11 +87,13 @@ final class JdkCallRedirects implements MethodPass {
                 call.desc = arguments + ")V";
                 break;
             case ARGUMENT:
-                method.instructions.insertBefore(call, Code.call(redirect.hookOwner(), redirect.hookName(), redirect.hookDescriptor()));
+                method.instructions.insertBefore(call,
+                        Code.call(redirect.hookOwner(), redirect.hookName(), redirect.hookDescriptor()));
                 call.desc = withLastArgument(call.desc, Type.getReturnType(redirect.hookDescriptor()));
                 break;
             default:
-                method.instructions.set(call, Code.call(redirect.hookOwner(), redirect.hookName(), redirect.hookDescriptor()));
+                method.instructions.set(call, Code.call(redirect.hookOwner(), redirect.hookName(),
+                        redirect.hookDescriptor()));
         }
     }
 

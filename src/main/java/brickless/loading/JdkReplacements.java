@@ -20,8 +20,8 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.commons.Remapper;
 
 /**
- * Which JDK class is replaced by which of ours: {@code jdk-replacements.txt}, narrowed to replacements that exist. Names are internal.
- * Thread-safe; holds names only.
+ * Which JDK class is replaced by which of ours: {@code jdk-replacements.txt}, narrowed to replacements that exist.
+ * Names are internal. Thread-safe; holds names only.
  */
 final class JdkReplacements extends Remapper {
     private static final String TABLE = "jdk-replacements.txt";
@@ -49,7 +49,8 @@ final class JdkReplacements extends Remapper {
     @Override
     public String map(String internalName) {
         Replacement replacement = find(internalName);
-        return replacement == null || replacement.isSubclass || replacement.staticsOnly ? internalName : replacement.name;
+        boolean everywhere = replacement != null && !replacement.isSubclass && !replacement.staticsOnly;
+        return everywhere ? replacement.name : internalName;
     }
 
     /** The subclass that programs construct and extend instead of a JDK class; null if there is none. */
@@ -71,12 +72,15 @@ final class JdkReplacements extends Remapper {
     private Optional<Replacement> lookUp(String jdkName) {
         for (String[] line : lines) {
             String rest = jdkName.startsWith(line[1]) ? jdkName.substring(line[1].length()) : null;
-            boolean fits = rest != null && ("package".equals(line[0]) ? rest.indexOf('/') < 0 : rest.isEmpty() || rest.startsWith("$"));
-            if (fits) {
+            if (rest != null && ("package".equals(line[0]) ? rest.indexOf('/') < 0 : isClassOrNested(rest))) {
                 return describe(jdkName, line[2] + rest, "statics".equals(line[0]));
             }
         }
         return Optional.empty();
+    }
+
+    private static boolean isClassOrNested(String rest) {
+        return rest.isEmpty() || rest.startsWith("$");
     }
 
     private static Optional<Replacement> describe(String jdkName, String name, boolean staticsOnly) {
@@ -88,7 +92,8 @@ final class JdkReplacements extends Remapper {
             if ((reader.getAccess() & Opcodes.ACC_PUBLIC) == 0 && name.indexOf('$') < 0) {
                 return Optional.empty();
             }
-            return Optional.of(new Replacement(name, reader.getSuperName().equals(jdkName), staticsOnly, publicStatics(reader)));
+            return Optional.of(new Replacement(name, reader.getSuperName().equals(jdkName), staticsOnly,
+                    publicStatics(reader)));
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }
@@ -98,7 +103,8 @@ final class JdkReplacements extends Remapper {
         Set<String> statics = new HashSet<>();
         reader.accept(new ClassVisitor(Opcodes.ASM9) {
             @Override
-            public MethodVisitor visitMethod(int access, String method, String descriptor, String signature, String[] exceptions) {
+            public MethodVisitor visitMethod(int access, String method, String descriptor, String signature,
+                    String[] exceptions) {
                 if ((access & Opcodes.ACC_STATIC) != 0 && (access & Opcodes.ACC_PUBLIC) != 0) {
                     statics.add(method + descriptor);
                 }

@@ -14,7 +14,9 @@ final class JdkTypes {
         return type != null && other != null && other.isAssignableFrom(type);
     }
 
-    /** Whether instances of a class that extends this JDK class have no hash code of their own, unless they declare one. */
+    /**
+     * Whether instances of a class that extends this JDK class have no hash code of their own, unless they declare one.
+     */
     static boolean hasIdentityHash(String name) {
         Class<?> type = find(name);
         try {

@@ -13,8 +13,8 @@ import org.objectweb.asm.tree.TryCatchBlockNode;
 /**
  * Handlers that could swallow the error which ends a program (finally, Throwable, Error) let it pass.
  *
- * <p>A handler that covers its own start, as javac's for monitors do, is left alone: throwing there would enter it again for ever. Its
- * body meets the next hook instead.
+ * <p>A handler that covers its own start, as javac's for monitors do, is left alone: throwing there would enter it
+ * again for ever. Its body meets the next hook instead.
  */
 final class KillThroughHandlers implements MethodPass {
     private static final Set<String> WIDE = Set.of(Code.THROWABLE, "java/lang/Error", "java/lang/ThreadDeath",
@@ -39,7 +39,8 @@ final class KillThroughHandlers implements MethodPass {
     private static boolean coversItself(MethodNode method, LabelNode handler) {
         int start = method.instructions.indexOf(handler);
         for (TryCatchBlockNode block : method.tryCatchBlocks) {
-            boolean covered = method.instructions.indexOf(block.start) <= start && method.instructions.indexOf(block.end) > start;
+            boolean covered = method.instructions.indexOf(block.start) <= start
+                    && method.instructions.indexOf(block.end) > start;
             if (block.handler == handler && covered) {
                 return true;
             }

@@ -9,8 +9,8 @@ import java.util.Set;
 /**
  * Who defines which class, as data: the first rule that fits a class name decides. Immutable.
  *
- * <p>What a robot must have for itself (its program, leJOS, everything with static state of the robot) is defined per robot; what crosses
- * the border between robot and simulator is shared.
+ * <p>What a robot must have for itself (its program, leJOS, everything with static state of the robot) is defined per
+ * robot; what crosses the border between robot and simulator is shared.
  */
 public final class LoadingRules {
     /** What the robot's loader does with a class. */
@@ -40,14 +40,17 @@ public final class LoadingRules {
 
     private static LoadingRules standardRules() {
         List<Rule> rules = new ArrayList<>();
-        for (String shared : new String[] {"VirtualMachine", "Budget", "ProgramKilled", "IdentityHashed", "InstructionCharges", "FloatingText",
+        for (String shared : new String[] {"VirtualMachine", "Budget", "ProgramKilled", "IdentityHashed",
+                "InstructionCharges", "FloatingText",
             "ThrowableText", "JdkCall", "JdkCalls", "ProgramThreadGroup"}) {
             rules.add(new Rule(HOOKS + shared, false, Treatment.SHARED));
         }
         rules.add(new Rule(HOOKS, true, Treatment.PER_ROBOT_PLAIN));
         rules.add(new Rule("brickless.hardware.BrickAccess", false, Treatment.PER_ROBOT_PLAIN));
+        rules.add(new Rule("brickless.junit.brick.", true, Treatment.PER_ROBOT_REWRITTEN));
         rules.add(new Rule("brickless.concurrent.", true, Treatment.PER_ROBOT_REWRITTEN));
-        for (String shared : new String[] {"brickless.", "org.slf4j.", "org.junit.", "junit.", "org.opentest4j.", "org.assertj.", "org.hamcrest.",
+        for (String shared : new String[] {"brickless.", "org.slf4j.", "org.junit.", "junit.", "org.opentest4j.",
+                "org.assertj.", "org.hamcrest.",
             "org.apiguardian."}) {
             rules.add(new Rule(shared, true, Treatment.SHARED));
         }
@@ -76,11 +79,15 @@ public final class LoadingRules {
             }
         }
         int packageEnd = binaryName.lastIndexOf('.');
-        boolean jdk = packageEnd > 0 && (binaryName.startsWith("java.") || JDK_PACKAGES.contains(binaryName.substring(0, packageEnd)));
+        boolean jdk = packageEnd > 0 && (binaryName.startsWith("java.")
+                || JDK_PACKAGES.contains(binaryName.substring(0, packageEnd)));
         return jdk ? Treatment.SHARED : Treatment.PER_ROBOT_REWRITTEN;
     }
 
-    /** Whether a class that is defined per robot comes from the application even if the program's class path has one of that name too. */
+    /**
+     * Whether a class that is defined per robot comes from the application even if the program's class path has one of
+     * that name too.
+     */
     boolean isOurs(String binaryName) {
         return binaryName.startsWith("lejos.") || binaryName.startsWith("brickless.");
     }

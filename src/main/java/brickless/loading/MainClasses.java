@@ -63,9 +63,10 @@ public final class MainClasses {
         return bytes.length > 10 && (bytes[0] & 0xff) == 0xca && (bytes[1] & 0xff) == 0xfe && (bytes[2] & 0xff) == 0xba && (bytes[3] & 0xff) == 0xbe;
     }
 
-    private static boolean hasMain(byte[] bytes) {
+    /** Whether a class file has a {@code public static void main(String[])}. */
+    public static boolean hasMain(byte[] classFile) {
         boolean[] found = new boolean[1];
-        new ClassReader(bytes).accept(new ClassVisitor(Opcodes.ASM9) {
+        new ClassReader(classFile).accept(new ClassVisitor(Opcodes.ASM9) {
             @Override public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
                 int needed = Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC;
                 found[0] |= name.equals("main") && descriptor.equals("([Ljava/lang/String;)V") && (access & needed) == needed;

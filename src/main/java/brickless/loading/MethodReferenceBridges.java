@@ -15,8 +15,8 @@ import org.objectweb.asm.tree.TypeInsnNode;
 import org.objectweb.asm.tree.VarInsnNode;
 
 /**
- * Method references such as {@code Thread::sleep} or {@code lock::notifyAll} whose target other passes would rewrite: a bridge method with the
- * plain call takes the target's place, and the other passes rewrite the bridge like any code.
+ * Method references such as {@code Thread::sleep} or {@code lock::notifyAll} whose target other passes would rewrite: a
+ * bridge method with the plain call takes the target's place, and the other passes rewrite the bridge like any code.
  */
 final class MethodReferenceBridges implements ClassPass {
     private static final String LAMBDA_FACTORY = "java/lang/invoke/LambdaMetafactory";
@@ -37,7 +37,8 @@ final class MethodReferenceBridges implements ClassPass {
         List<MethodNode> bridges = new ArrayList<>();
         for (MethodNode method : type.methods) {
             for (AbstractInsnNode node : method.instructions) {
-                if (node instanceof InvokeDynamicInsnNode && ((InvokeDynamicInsnNode) node).bsm.getOwner().equals(LAMBDA_FACTORY)) {
+                if (node instanceof InvokeDynamicInsnNode
+                        && ((InvokeDynamicInsnNode) node).bsm.getOwner().equals(LAMBDA_FACTORY)) {
                     InvokeDynamicInsnNode reference = (InvokeDynamicInsnNode) node;
                     Handle target = (Handle) reference.bsmArgs[IMPLEMENTATION_ARGUMENT];
                     if (needsBridge(type, target)) {
@@ -77,7 +78,10 @@ final class MethodReferenceBridges implements ClassPass {
         }
     }
 
-    /** A static method that does what the handle does. A bound receiver keeps its static type: the lambda factory insists on it. */
+    /**
+     * A static method that does what the handle does. A bound receiver keeps its static type: the lambda factory
+     * insists on it.
+     */
     private static MethodNode bridge(Handle target, String capture, String name) {
         boolean creates = target.getTag() == Opcodes.H_NEWINVOKESPECIAL;
         List<Type> parameters = new ArrayList<>();
@@ -97,7 +101,8 @@ final class MethodReferenceBridges implements ClassPass {
             bridge.instructions.add(new VarInsnNode(parameter.getOpcode(Opcodes.ILOAD), bridge.maxLocals));
             bridge.maxLocals += parameter.getSize();
         }
-        bridge.instructions.add(new MethodInsnNode(opcode(target.getTag()), target.getOwner(), target.getName(), target.getDesc(),
+        bridge.instructions.add(new MethodInsnNode(opcode(target.getTag()), target.getOwner(), target.getName(),
+                target.getDesc(),
                 target.isInterface()));
         bridge.instructions.add(new InsnNode(result.getOpcode(Opcodes.IRETURN)));
         return bridge;

@@ -10,7 +10,9 @@ import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
-/** Native methods cannot run on a virtual brick: they load, and throw an UnsatisfiedLinkError that says so when called. */
+/**
+ * Native methods cannot run on a virtual brick: they load, and throw an UnsatisfiedLinkError that says so when called.
+ */
 final class NativeMethods {
     private static final String ERROR = "java/lang/UnsatisfiedLinkError";
 

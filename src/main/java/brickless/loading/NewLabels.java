@@ -11,8 +11,9 @@ import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.MethodNode;
 
 /**
- * Gives every NEW instruction a label of its own, right before it, and makes the frames refer to that one. Frames name an uninitialised
- * object by the label of its NEW; with a label shared by a handler or jump target, code inserted there would separate the two.
+ * Gives every NEW instruction a label of its own, right before it, and makes the frames refer to that one. Frames name
+ * an uninitialised object by the label of its NEW; with a label shared by a handler or jump target, code inserted there
+ * would separate the two.
  */
 final class NewLabels implements MethodPass {
     @Override
@@ -21,7 +22,8 @@ final class NewLabels implements MethodPass {
         for (AbstractInsnNode node : method.instructions.toArray()) {
             if (node.getOpcode() == Opcodes.NEW) {
                 LabelNode label = new LabelNode();
-                for (AbstractInsnNode before = node.getPrevious(); before != null && before.getOpcode() < 0; before = before.getPrevious()) {
+                for (AbstractInsnNode before = node.getPrevious(); before != null
+                        && before.getOpcode() < 0; before = before.getPrevious()) {
                     own.put(before, label);
                 }
                 method.instructions.insertBefore(node, label);

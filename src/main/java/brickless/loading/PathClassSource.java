@@ -16,7 +16,10 @@ import java.util.jar.JarFile;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
-/** A class path of directories and jars, first come first served. Of multi-release jars only the base version counts, on every JDK. */
+/**
+ * A class path of directories and jars, first come first served. Of multi-release jars only the base version counts, on
+ * every JDK.
+ */
 final class PathClassSource implements ClassSource {
     private final List<Entry> entries = new ArrayList<>();
 

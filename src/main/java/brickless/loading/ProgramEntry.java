@@ -19,7 +19,8 @@ final class ProgramEntry {
 
     static Thread newThread(ClassLoader robot, Runnable body, String name) {
         try {
-            Constructor<?> constructor = robot.loadClass(HOOKS_PACKAGE + "ProgramThread").getConstructor(Runnable.class, String.class);
+            Constructor<?> constructor = robot.loadClass(HOOKS_PACKAGE + "ProgramThread")
+                    .getConstructor(Runnable.class, String.class);
             return (Thread) constructor.newInstance(body, name);
         } catch (ReflectiveOperationException broken) {
             throw new LinkageError("thread class of the robot", broken);
@@ -36,7 +37,8 @@ final class ProgramEntry {
         try {
             Method main = type.getMethod("main", String[].class);
             if (!Modifier.isStatic(main.getModifiers()) || main.getReturnType() != void.class) {
-                throw new IllegalArgumentException("main of " + type.getName() + " is not 'public static void main(String[])'");
+                throw new IllegalArgumentException("main of " + type.getName()
+                        + " is not 'public static void main(String[])'");
             }
             main.setAccessible(true);
             return main;

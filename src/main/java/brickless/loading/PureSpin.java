@@ -5,11 +5,16 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 
-/** Recognises loops that only read and compare, such as {@code while (!done) {}}: they wait for another thread and do nothing else. */
+/**
+ * Recognises loops that only read and compare, such as {@code while (!done) {}}: they wait for another thread and do
+ * nothing else.
+ */
 final class PureSpin {
     private PureSpin() {}
 
-    /** Whether everything from {@code head} up to {@code jump}, which jumps back to it, only loads, compares or jumps. */
+    /**
+     * Whether everything from {@code head} up to {@code jump}, which jumps back to it, only loads, compares or jumps.
+     */
     static boolean isPure(AbstractInsnNode head, AbstractInsnNode jump) {
         for (AbstractInsnNode node = head; node != jump; node = node.getNext()) {
             if (node.getOpcode() >= 0 && !isPure(node)) {

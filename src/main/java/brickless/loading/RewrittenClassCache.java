@@ -10,10 +10,12 @@ import java.util.Objects;
 import java.util.function.Function;
 
 /**
- * Rewritten bytes, shared by all robots and runs of the JVM: leJOS and a program that runs again need no second rewriting.
+ * Rewritten bytes, shared by all robots and runs of the JVM: leJOS and a program that runs again need no second
+ * rewriting.
  *
- * <p>The key is the class file's content; an entry also remembers what the rewriting learned about other classes, and fits only where the
- * same is true. Bounded: the least recently used entries go first. Holds no class and no loader. Thread-safe.
+ * <p>The key is the class file's content; an entry also remembers what the rewriting learned about other classes, and
+ * fits only where the same is true. Bounded: the least recently used entries go first. Holds no class and no loader.
+ * Thread-safe.
  */
 final class RewrittenClassCache {
     private static final RewrittenClassCache SHARED = new RewrittenClassCache(64L << 20);

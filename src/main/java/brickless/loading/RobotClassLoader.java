@@ -14,11 +14,12 @@ import java.util.Enumeration;
 import java.util.List;
 
 /**
- * The class loader of one robot: defines its program, leJOS and the robot's own hooks anew, rewritten as {@link LoadingRules} say, and takes
- * everything else from the application.
+ * The class loader of one robot: defines its program, leJOS and the robot's own hooks anew, rewritten as
+ * {@link LoadingRules} say, and takes everything else from the application.
  *
- * <p>Create one per robot and run, {@link #bind} it to a kernel before any class of the program is used, run {@link #mainThread} on it, and
- * {@link #close} it afterwards. Nothing outside refers to it then, so that its classes can be collected. Thread-safe.
+ * <p>Create one per robot and run, {@link #bind} it to a kernel before any class of the program is used, run
+ * {@link #mainThread} on it, and {@link #close} it afterwards. Nothing outside refers to it then, so that its classes
+ * can be collected. Thread-safe.
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";
@@ -55,7 +56,10 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return new RobotClassLoader(RobotClassLoader.class.getClassLoader(), new PathClassSource(classPath), rules);
     }
 
-    /** A loader for a program on the application's own class path, as in JUnit tests; see {@link #ofApplication(ClassLoader, LoadingRules)}. */
+    /**
+     * A loader for a program on the application's own class path, as in JUnit tests; see
+     * {@link #ofApplication(ClassLoader, LoadingRules)}.
+     */
     public static RobotClassLoader ofApplication() {
         return ofApplication(RobotClassLoader.class.getClassLoader(), LoadingRules.standard());
     }
@@ -71,7 +75,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     }
 
     /**
-     * Connects this robot's hooks to its kernel; null disconnects them. Without a kernel rewritten classes behave as plain ones.
+     * Connects this robot's hooks to its kernel; null disconnects them. Without a kernel rewritten classes behave as
+     * plain ones.
      *
      * @return the kernel's access to the robot's budget counters
      */
@@ -80,8 +85,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     }
 
     /**
-     * The program's main thread, not started: the kernel runs it as its first fibre. Call after {@link #bind}. The body initialises the class
-     * and calls {@code main}; exceptions of the program come out of it as they are.
+     * The program's main thread, not started: the kernel runs it as its first fibre. Call after {@link #bind}. The body
+     * initialises the class and calls {@code main}; exceptions of the program come out of it as they are.
      *
      * @param mainClass binary name of a class with a {@code public static void main(String[])}
      */
@@ -89,7 +94,10 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return programThread("main", () -> ProgramEntry.callMain(this, mainClass, arguments));
     }
 
-    /** Any other first thread of a program, not started; {@code body} may use the robot's classes. Call after {@link #bind}. */
+    /**
+     * Any other first thread of a program, not started; {@code body} may use the robot's classes. Call after
+     * {@link #bind}.
+     */
     public Thread programThread(String name, Runnable body) {
         return ProgramEntry.newThread(this, body, name);
     }
@@ -122,7 +130,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         if (file == null) {
             throw new ClassNotFoundException(name);
         }
-        byte[] bytes = rules.of(name) == Treatment.PER_ROBOT_PLAIN ? file.bytes() : rewritten(name.replace('.', '/'), file);
+        byte[] bytes = rules.of(name) == Treatment.PER_ROBOT_PLAIN ? file.bytes()
+                : rewritten(name.replace('.', '/'), file);
         return defineClass(name, bytes, 0, bytes.length);
     }
 

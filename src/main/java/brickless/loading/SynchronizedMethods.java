@@ -29,7 +29,7 @@ final class SynchronizedMethods implements MethodPass {
             }
         }
         LabelNode start = new LabelNode();
-        method.instructions.insert(enter(type, method, lock, start));
+        Code.insertAtStart(method, enter(type, method, lock, start));
         addHandler(type, method, lock, start);
     }
 

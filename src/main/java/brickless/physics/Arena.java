@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.pooling.normal.DefaultWorldPool;
 
 /**
  * A world with robots in it, computed in fixed steps.
@@ -17,9 +18,12 @@ import org.jbox2d.dynamics.BodyDef;
  */
 public final class Arena {
     /** Velocity and position iterations of the contact solver per step. */
-    private static final int VELOCITY_ITERATIONS = 8;
-    private static final int POSITION_ITERATIONS = 3;
+    private static final int VELOCITY_ITERATIONS = 6;
+    private static final int POSITION_ITERATIONS = 2;
     private static final double NANOS_PER_SECOND = 1e9;
+    /** JBox2D's own defaults for its pools of vectors and of containers. */
+    private static final int POOL_SIZE = org.jbox2d.dynamics.World.WORLD_POOL_SIZE;
+    private static final int POOL_CONTAINER_SIZE = org.jbox2d.dynamics.World.WORLD_POOL_CONTAINER_SIZE;
 
     private final World description;
     private final org.jbox2d.dynamics.World world;
@@ -40,7 +44,7 @@ public final class Arena {
         this.description = description;
         this.stepNanos = settings.stepNanos();
         this.stepSeconds = stepNanos / NANOS_PER_SECOND;
-        this.world = new org.jbox2d.dynamics.World(new Vec2(0, 0));
+        this.world = new org.jbox2d.dynamics.World(new Vec2(0, 0), new DefaultWorldPool(POOL_SIZE, POOL_CONTAINER_SIZE), new LazyTree());
         world.setContinuousPhysics(false);
         Body ground = world.createBody(new BodyDef());
         List<ObstacleBody> solids = new ArrayList<>();
@@ -121,7 +125,8 @@ public final class Arena {
      * @param own the robot that casts it, which it ignores; may be null
      * @param out receives the nearest hit
      */
-    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own, RayHit out) {
+    public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own,
+            RayHit out) {
         rays.cast(aim, turnRadians, reachMetres, leastHeightMetres, own, out);
     }
 

@@ -7,7 +7,10 @@ package brickless.physics;
  * @param stepNanos length of a step, 500 µs to 5 ms
  */
 public record ArenaSettings(boolean ideal, long stepNanos) {
-    /** The step that was chosen by measurement, see MODELS.md: accurate to a fraction of a millimetre and far from costly. */
+    /**
+     * The step that was chosen by measurement, see MODELS.md: accurate to a fraction of a millimetre and far from
+     * costly.
+     */
     public static final long DEFAULT_STEP_NANOS = 2_000_000;
 
     public ArenaSettings {

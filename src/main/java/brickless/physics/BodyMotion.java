@@ -4,7 +4,9 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.contacts.Position;
 import org.jbox2d.dynamics.contacts.Velocity;
 
-/** Velocity of a robot's body in SI units while a step is being solved, read from and written back to JBox2D's solver. */
+/**
+ * Velocity of a robot's body in SI units while a step is being solved, read from and written back to JBox2D's solver.
+ */
 final class BodyMotion {
     double vx;
     double vy;

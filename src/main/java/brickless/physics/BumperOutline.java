@@ -24,6 +24,7 @@ final class BumperOutline {
     }
 
     private static Point2 corner(SensorMount mount, double cos, double sin, double ahead, double right) {
-        return new Point2(mount.position().x() + cos * ahead - sin * right, mount.position().y() + sin * ahead + cos * right);
+        return new Point2(mount.position().x() + cos * ahead - sin * right,
+                mount.position().y() + sin * ahead + cos * right);
     }
 }

@@ -1,5 +1,6 @@
 package brickless.physics;
 
+import java.util.Arrays;
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
@@ -23,7 +24,7 @@ final class Contacts implements ContactListener {
         touching = new int[robots][solids];
         apartSince = new long[robots][solids];
         for (long[] row : apartSince) {
-            java.util.Arrays.fill(row, -APART_NANOS);
+            Arrays.fill(row, -APART_NANOS);
         }
     }
 
@@ -86,7 +87,8 @@ final class Contacts implements ContactListener {
     }
 
     private static void reach(Fixture fixture, Solid other, int change) {
-        if (fixture.getUserData() instanceof Gripper gripper && other instanceof ObstacleBody obstacle && obstacle.description().movable()) {
+        if (fixture.getUserData() instanceof Gripper gripper && other instanceof ObstacleBody obstacle
+                && obstacle.description().movable()) {
             gripper.reach(obstacle, change);
         }
     }

@@ -2,6 +2,7 @@ package brickless.physics;
 
 import brickless.world.Point2;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -65,7 +66,7 @@ final class ConvexParts {
             return ring;
         }
         List<Point2> reversed = new ArrayList<>(ring);
-        java.util.Collections.reverse(reversed);
+        Collections.reverse(reversed);
         return reversed;
     }
 
@@ -82,7 +83,10 @@ final class ConvexParts {
         return triangles;
     }
 
-    /** Index of a corner that can be cut off; for outlines that touch themselves the flattest corner, so that the loop always ends. */
+    /**
+     * Index of a corner that can be cut off; for outlines that touch themselves the flattest corner, so that the loop
+     * always ends.
+     */
     private static int earOf(List<Point2> ring) {
         int flattest = 0;
         double smallest = Double.POSITIVE_INFINITY;

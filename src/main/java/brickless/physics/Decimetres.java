@@ -5,8 +5,8 @@ import org.jbox2d.common.Settings;
 /**
  * The solver's units: decimetres, kilograms, seconds, because JBox2D is tuned for bodies of 0.1 to 10 units.
  *
- * <p>Loading this class also switches JBox2D's trigonometric tables off: without them it computes sine, cosine and arc tangent
- * with {@link StrictMath}, so that results are the same on every JDK.
+ * <p>Loading this class also switches JBox2D's trigonometric tables off: without them it computes sine, cosine and arc
+ * tangent with {@link StrictMath}, so that results are the same on every JDK.
  */
 final class Decimetres {
     /** Decimetres in a metre. */

@@ -9,15 +9,16 @@ import org.jbox2d.dynamics.joints.JointEdge;
 import org.jbox2d.common.Vec2;
 
 /**
- * Shafts, tyres, skids and turret gears of one robot as one constraint inside JBox2D's solver, so that traction, motors and contacts are
- * solved together: a robot that pushes a wall neither creeps nor shakes.
+ * Shafts, tyres, skids and turret gears of one robot as one constraint inside JBox2D's solver, so that traction, motors
+ * and contacts are solved together: a robot that pushes a wall neither creeps nor shakes.
  *
- * <p>JBox2D creates joints of its own kinds only. This one therefore takes the place of an ordinary friction joint (between the robot and
- * the ground) in the robot's joint list; the ordinary joint keeps the solver's count of joints right and never acts itself.
+ * <p>JBox2D creates joints of its own kinds only. This one therefore takes the place of an ordinary friction joint
+ * (between the robot and the ground) in the robot's joint list; the ordinary joint keeps the solver's count of joints
+ * right and never acts itself.
  */
 final class Drivetrain extends Joint {
     /** Relaxations of all constraints per velocity iteration of the solver. */
-    private static final int SWEEPS = 2;
+    private static final int SWEEPS = 1;
 
     private final Body robot;
     private final Shaft[] shafts;
@@ -29,7 +30,8 @@ final class Drivetrain extends Joint {
     private final BodyMotion motion = new BodyMotion();
     private double dt;
 
-    Drivetrain(Body ground, Body robot, Shaft[] shafts, Tyre[] tyres, double[] tyreLimits, Skid[] skids, double[] skidLoads, TurretGear[] gears) {
+    Drivetrain(Body ground, Body robot, Shaft[] shafts, Tyre[] tyres, double[] tyreLimits, Skid[] skids,
+            double[] skidLoads, TurretGear[] gears) {
         super(ground.getWorld().getPool(), definition(ground, robot));
         this.robot = robot;
         this.shafts = shafts;

@@ -17,7 +17,9 @@ public final class ObstacleBody implements Solid {
     static final double GRAVITY = 9.81;
     /** Lightest movable body, kg: lighter ones would only upset the solver. */
     private static final double LEAST_MASS = 1e-3;
-    /** Mean distance from the centre of the points of a disc, in radii: the lever arm of friction that resists turning. */
+    /**
+     * Mean distance from the centre of the points of a disc, in radii: the lever arm of friction that resists turning.
+     */
     private static final double FRICTION_ARM = 2.0 / 3;
 
     final Body body;
@@ -73,7 +75,8 @@ public final class ObstacleBody implements Solid {
 
     /** Whether it is not exactly where it was drawn. */
     public boolean displaced() {
-        return body.getAngle() != 0 || body.getPosition().x != Decimetres.of(centre.x()) || body.getPosition().y != Decimetres.of(centre.y());
+        return body.getAngle() != 0 || body.getPosition().x != Decimetres.of(centre.x())
+                || body.getPosition().y != Decimetres.of(centre.y());
     }
 
     /** False once removed. */
@@ -82,8 +85,8 @@ public final class ObstacleBody implements Solid {
     }
 
     /**
-     * How the obstacle has moved since the start: drawn points turned by the heading about the drawing's origin, then shifted, give their
-     * present place (the arguments of an SVG {@code translate} and {@code rotate}).
+     * How the obstacle has moved since the start: drawn points turned by the heading about the drawing's origin, then
+     * shifted, give their present place (the arguments of an SVG {@code translate} and {@code rotate}).
      */
     public Pose2 displacement() {
         double angle = body.getAngle();
@@ -111,6 +114,7 @@ public final class ObstacleBody implements Solid {
         body.setTransform(new Vec2(Decimetres.of(pose.x()), Decimetres.of(pose.y())), (float) pose.headingRadians());
         body.setLinearVelocity(new Vec2());
         body.setAngularVelocity(0);
+        body.setAwake(true);
     }
 
     void remove() {

@@ -40,7 +40,8 @@ final class RobotAssembly {
     private final RobotModel model;
     private final int filterGroup;
 
-    RobotAssembly(org.jbox2d.dynamics.World world, Body ground, RobotBody owner, Pose2 start, boolean ideal, int obstacles) {
+    RobotAssembly(org.jbox2d.dynamics.World world, Body ground, RobotBody owner, Pose2 start, boolean ideal,
+            int obstacles) {
         this.world = world;
         this.model = owner.model();
         this.filterGroup = -1 - owner.index;
@@ -121,7 +122,8 @@ final class RobotAssembly {
                 bottom = Math.max(bottom, p.y() + CLAW_REACH);
             }
         }
-        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom), new Point2(left, bottom));
+        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom),
+                new Point2(left, bottom));
     }
 
     /** Adds the outline of a touch sensor. */
@@ -168,7 +170,8 @@ final class RobotAssembly {
             loads[i] = shares[wheels + i] * weight;
         }
         TurretGear[] gears = turrets.stream().filter(turret -> turret.body != null)
-                .map(turret -> new TurretGear(body, turret.body, turret.shaft, turret.ratio)).toArray(TurretGear[]::new);
+                .map(turret -> new TurretGear(body, turret.body, turret.shaft, turret.ratio))
+                .toArray(TurretGear[]::new);
         return new Drivetrain(ground, body, shafts, tyres, grip, skids, loads, gears);
     }
 }

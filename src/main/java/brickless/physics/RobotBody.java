@@ -2,8 +2,9 @@ package brickless.physics;
 
 import brickless.world.Point2;
 import brickless.world.Pose2;
-import brickless.world.RobotModel;
+import brickless.world.Region;
 import brickless.world.RobotModel.SensorMount;
+import brickless.world.RobotModel;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -163,7 +164,7 @@ public final class RobotBody implements Solid {
     }
 
     /** Notes whether a driven wheel is over the edge; true when that happens for the first time. */
-    boolean fallsOff(brickless.world.Region table) {
+    boolean fallsOff(Region table) {
         if (fallen) {
             return false;
         }

@@ -1,10 +1,11 @@
 package brickless.physics;
 
 /**
- * A motor's output shaft: it carries the motor's inertia and torque, and is coupled to tyres or a turret by the {@link Drivetrain}.
+ * A motor's output shaft: it carries the motor's inertia and torque, and is coupled to tyres or a turret by the {@link
+ * Drivetrain}.
  *
- * <p>Angles are radians, forward of the motor positive. The motor's torque is an affine function of speed (back-EMF), which lets a step be
- * solved implicitly: {@code torque = driving − damping × speed}, less Coulomb friction.
+ * <p>Angles are radians, forward of the motor positive. The motor's torque is an affine function of speed (back-EMF),
+ * which lets a step be solved implicitly: {@code torque = driving − damping × speed}, less Coulomb friction.
  */
 public final class Shaft {
     /** Inertia of a wheel hub without a motor: assumption, 20 g at 20 mm radius. */

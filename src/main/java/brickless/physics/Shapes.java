@@ -58,7 +58,8 @@ final class Shapes {
     private static PolygonShape polygon(List<Point2> piece, Point2 origin) {
         Vec2[] corners = new Vec2[piece.size()];
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = new Vec2(Decimetres.of(piece.get(i).x() - origin.x()), Decimetres.of(piece.get(i).y() - origin.y()));
+            corners[i] = new Vec2(Decimetres.of(piece.get(i).x() - origin.x()),
+                    Decimetres.of(piece.get(i).y() - origin.y()));
         }
         PolygonShape shape = new PolygonShape();
         shape.set(corners, corners.length);

@@ -11,8 +11,8 @@ final class SupportLoads {
     private SupportLoads() {}
 
     /**
-     * The shares of the weight: the flattest (minimum norm) solution of the balance of force and moments. Supports that would be pulled up
-     * carry nothing; if all stand on one line, they share evenly.
+     * The shares of the weight: the flattest (minimum norm) solution of the balance of force and moments. Supports that
+     * would be pulled up carry nothing; if all stand on one line, they share evenly.
      *
      * @param supports contact points
      * @param centre centre of mass in the same frame

@@ -1,17 +1,21 @@
 package brickless.physics;
 
 import brickless.world.RobotModel.Turret;
+import org.jbox2d.dynamics.Body;
 
 /** A turret of a robot: the angle at which it stands, and its body if it has an outline. */
 final class Turntable {
     final Turret description;
     final Shaft shaft;
-    /** Turret radians (clockwise) per motor radian: motors turn turrets to the left when they run forward, unless inverted. */
+    /**
+     * Turret radians (clockwise) per motor radian: motors turn turrets to the left when they run forward, unless
+     * inverted.
+     */
     final double ratio;
     /** The body that turns, or null for a turret without an outline. */
-    final org.jbox2d.dynamics.Body body;
+    final Body body;
 
-    Turntable(Turret description, Shaft shaft, org.jbox2d.dynamics.Body body) {
+    Turntable(Turret description, Shaft shaft, Body body) {
         this.description = description;
         this.shaft = shaft;
         this.body = body;
@@ -23,7 +27,7 @@ final class Turntable {
     }
 
     /** Clockwise angle against the robot, radians. */
-    double angleRadians(org.jbox2d.dynamics.Body robot) {
+    double angleRadians(Body robot) {
         return body == null ? shaft.angleRadians() * ratio : (double) body.getAngle() - robot.getAngle();
     }
 }

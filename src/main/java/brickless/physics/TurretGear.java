@@ -4,7 +4,10 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.SolverData;
 import org.jbox2d.dynamics.contacts.Velocity;
 
-/** Couples a shaft with a turret that turns on the robot: the turret's angle to the robot is the shaft's angle over the gear ratio. */
+/**
+ * Couples a shaft with a turret that turns on the robot: the turret's angle to the robot is the shaft's angle over the
+ * gear ratio.
+ */
 final class TurretGear {
     /** Part of the angle error that is taken out per step. */
     private static final double CORRECTION = 0.2;

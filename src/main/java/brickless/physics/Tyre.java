@@ -3,8 +3,8 @@ package brickless.physics;
 import brickless.world.RobotModel.Wheel;
 
 /**
- * The contact patch of a driven wheel: along the rolling direction it couples body and shaft, across it holds the body; both within
- * one circle of friction.
+ * The contact patch of a driven wheel: along the rolling direction it couples body and shaft, across it holds the body;
+ * both within one circle of friction.
  */
 final class Tyre {
     private final double localX;
@@ -48,7 +48,8 @@ final class Tyre {
         limit = limitNewtonSeconds;
         double armAlong = armX * forwardY - armY * forwardX;
         double armAcross = armX * forwardX + armY * forwardY;
-        alongMass = 1 / (body.inverseMass + armAlong * armAlong * body.inverseInertia + lever * lever * shaft.inverseInertia());
+        alongMass = 1 / (body.inverseMass + armAlong * armAlong * body.inverseInertia + lever * lever
+                * shaft.inverseInertia());
         acrossMass = 1 / (body.inverseMass + armAcross * armAcross * body.inverseInertia);
         double size = StrictMath.sqrt(along * along + across * across);
         if (size > limit) {

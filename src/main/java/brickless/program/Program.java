@@ -12,18 +12,19 @@ import java.util.stream.Stream;
 /**
  * A program ready to run.
  *
+ * @param name the program as the user named it
  * @param mainClass binary name of the class with the main method
  * @param classPath directories and jars with its classes, in order; empty: they are on the application's own class path
  * @param temporary directory of classes compiled for this run, removed by {@link #close()}
  */
-public record Program(String mainClass, List<Path> classPath, Optional<Path> temporary) implements AutoCloseable {
+public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary) implements AutoCloseable {
     public Program {
         classPath = List.copyOf(classPath);
     }
 
     /** A program whose classes are on the application's own class path, as in a test. */
     public static Program onClassPath(String mainClass) {
-        return new Program(mainClass, List.of(), Optional.empty());
+        return new Program(mainClass, mainClass, List.of(), Optional.empty());
     }
 
     /** The main class without its package. */
@@ -32,7 +33,7 @@ public record Program(String mainClass, List<Path> classPath, Optional<Path> tem
     }
 
     Program compiledInto(Path directory) {
-        return new Program(mainClass, classPath, Optional.of(directory));
+        return new Program(name, mainClass, classPath, Optional.of(directory));
     }
 
     @Override public void close() {

@@ -2,6 +2,7 @@ package brickless.program;
 
 import brickless.loading.MainClasses;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,6 +20,7 @@ public final class ProgramFinder {
     private final List<Path> classPath;
     private final Optional<String> wantedMain;
     private final Path directory;
+    private boolean mainNeeded = true;
 
     /**
      * Creates a finder.
@@ -67,6 +69,21 @@ public final class ProgramFinder {
         }
     }
 
+    /**
+     * Finds (and where needed compiles) the classes of something that need not have a main class, or not a single one.
+     *
+     * @return a program whose main class may be the empty text
+     * @throws ProgramException as {@link #find}
+     */
+    public Program findClasses(String name) throws ProgramException {
+        mainNeeded = false;
+        try {
+            return find(name);
+        } finally {
+            mainNeeded = true;
+        }
+    }
+
     private Program byClassName(String name) throws ProgramException, IOException {
         boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar") || name.endsWith(".class");
         if (!looksLikeFile) {
@@ -75,11 +92,24 @@ public final class ProgramFinder {
                     return checked(name, List.of(entry), name);
                 }
             }
-            if (ClassLoader.getSystemResource(name.replace('.', '/') + ".class") != null) {
-                return Program.onClassPath(wantedMain.orElse(name));
+            if (ClassLoader.getSystemResource(fileOf(name)) != null) {
+                return onClassPath(wantedMain.orElse(name), name);
             }
         }
         throw new ProgramException(name + ": no such program: neither a file or directory in " + directory + " nor a class on the class path");
+    }
+
+    private static String fileOf(String className) {
+        return className.replace('.', '/') + ".class";
+    }
+
+    private static Program onClassPath(String main, String name) throws ProgramException, IOException {
+        try (InputStream in = ClassLoader.getSystemResourceAsStream(fileOf(main))) {
+            if (in == null || !MainClasses.hasMain(in.readAllBytes())) {
+                throw new ProgramException(name + ": class " + main + " has no public static void main(String[])");
+            }
+        }
+        return Program.onClassPath(main);
     }
 
     private Program fromDirectory(Path path, String name) throws ProgramException, IOException {
@@ -133,6 +163,9 @@ public final class ProgramFinder {
         if (wantedMain.isPresent()) {
             return checked(wantedMain.get(), List.of(classes), name);
         }
+        if (!mainNeeded) {
+            return withClassPath(name, "", List.of(classes));
+        }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
         }
@@ -143,10 +176,9 @@ public final class ProgramFinder {
     }
 
     private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {
-        List<Path> all = new ArrayList<>(entries);
-        all.addAll(resolvedClassPath());
-        boolean found = false;
-        for (Path entry : all) {
+        Program program = withClassPath(name, main, entries);
+        boolean found = !mainNeeded;
+        for (Path entry : found ? List.<Path>of() : program.classPath()) {
             if (MainClasses.of(entry).contains(main)) {
                 found = true;
                 break;
@@ -157,7 +189,13 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
                     + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
         }
-        return new Program(main, all, Optional.empty());
+        return program;
+    }
+
+    private Program withClassPath(String name, String main, List<Path> entries) {
+        List<Path> all = new ArrayList<>(entries);
+        all.addAll(resolvedClassPath());
+        return new Program(name, main, all, Optional.empty());
     }
 
     private List<Path> resolvedClassPath() {

@@ -10,6 +10,7 @@ import brickless.world.Placement;
 import brickless.world.Pose2;
 import brickless.world.RobotModel;
 import brickless.world.World;
+import brickless.world.svg.WorldCheck;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,6 +56,8 @@ final class Crew {
             Program own = placement.program().isPresent() ? find(placement.program().get()) : program;
             boolean fitted = settings.robot().isEmpty() && placement.model().isEmpty();
             RobotModel model = fitted ? RobotFitter.fit(hints(own)) : drawn(placement);
+            String file = settings.worldFile().isEmpty() ? settings.world().name() + ".svg" : settings.worldFile();
+            WorldCheck.placement(file, settings.world(), model, placement.start());
             return new Member(placement.name(), model, placement.start(), own, fitted);
         } catch (DescriptionException | ProgramException e) {
             throw new SetupException(e.getMessage());

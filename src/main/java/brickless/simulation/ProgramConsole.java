@@ -15,6 +15,8 @@ import java.util.function.LongSupplier;
 
 /** What one robot's program prints, fails with and decides, on its way into the record of the run. Used by the running fibre only. */
 final class ProgramConsole implements ProgramLog {
+    private record Arbitration(List<String> names, BehaviourChanges wanted, BehaviourChanges active) {}
+
     private final String robot;
     private final Recorder recorder;
     private final OutputStream echo;
@@ -22,7 +24,7 @@ final class ProgramConsole implements ProgramLog {
     private final IntConsumer exit;
     private final ByteArrayOutputStream[] lines = {new ByteArrayOutputStream(), new ByteArrayOutputStream()};
     private final List<String> complete = new ArrayList<>();
-    private int arbitrators;
+    private final List<Arbitration> arbitrators = new ArrayList<>();
     private String failure;
 
     ProgramConsole(String robot, Recorder recorder, OutputStream echo, LongSupplier clock, IntConsumer exit) {
@@ -85,21 +87,41 @@ final class ProgramConsole implements ProgramLog {
         return Optional.ofNullable(failure);
     }
 
+    /** Class name of the behaviour that the (last) arbitrator runs now. */
+    Optional<String> activeBehaviour() {
+        return arbitrators.stream().filter(a -> a.active().current() >= 0).map(a -> a.names().get(a.active().current())).reduce((a, b) -> b);
+    }
+
     @Override public int arbitratorCreated(String[] behaviours) {
-        event(new TraceEvent.ArbitratorEvent(arbitrators, List.of(behaviours)));
-        return arbitrators++;
+        int number = arbitrators.size();
+        event(new TraceEvent.ArbitratorEvent(number, List.of(behaviours)));
+        arbitrators.add(new Arbitration(List.of(behaviours), changes("wants", number), changes("active", number)));
+        return number;
+    }
+
+    private BehaviourChanges changes(String kind, int arbitrator) {
+        return new BehaviourChanges((time, behaviour) -> recorder.event(time, robot, new TraceEvent.BehaviourEvent(kind, arbitrator, behaviour)));
     }
 
     @Override public void behaviourWanted(int arbitrator, int behaviour) {
-        event(new TraceEvent.BehaviourEvent("wants", arbitrator, behaviour));
+        arbitrators.get(arbitrator).wanted().set(clock.getAsLong(), behaviour);
     }
 
     @Override public void behaviourActive(int arbitrator, int behaviour) {
-        event(new TraceEvent.BehaviourEvent("active", arbitrator, behaviour));
+        arbitrators.get(arbitrator).active().set(clock.getAsLong(), behaviour);
+    }
+
+    /** To be called at every physics step. */
+    void step(long nowNanos) {
+        for (int i = 0; i < arbitrators.size(); i++) {
+            arbitrators.get(i).wanted().step(nowNanos);
+            arbitrators.get(i).active().step(nowNanos);
+        }
     }
 
     @Override public void behaviourSuppressed(int arbitrator, int behaviour) {
         event(new TraceEvent.BehaviourEvent("suppressed", arbitrator, behaviour));
+        arbitrators.get(arbitrator).active().awaitEnd();
     }
 
     @Override public void endProgram(int status) {

@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.trace.PathDrawing;
+import brickless.trace.ReportRecording;
 import brickless.trace.Sample;
 import brickless.trace.SignalsWriter;
 import brickless.trace.TraceEvent;
@@ -20,21 +21,26 @@ final class Recorder {
     private final Optional<SignalsWriter> signals;
     private final OutputStream console;
     private final PathDrawing path = new PathDrawing();
+    private final Optional<ReportRecording> recording;
 
     Recorder(Optional<RunFolder> folder, TraceHeader header) {
         this.folder = folder;
         trace = new TraceWriter(folder.map(f -> f.open("trace.jsonl")).orElseGet(OutputStream::nullOutputStream), header);
         signals = folder.map(f -> new SignalsWriter(new OutputStreamWriter(f.open("signals.csv"), StandardCharsets.UTF_8)));
+        recording = folder.map(f -> new ReportRecording());
+        recording.ifPresent(r -> r.header(header));
         console = folder.map(f -> f.open("console.txt")).orElseGet(OutputStream::nullOutputStream);
     }
 
     void event(long timeNanos, String robot, TraceEvent event) {
         trace.event(timeNanos, robot, event);
+        recording.ifPresent(r -> r.event(timeNanos, robot, event));
     }
 
     void sample(Sample sample) {
         trace.sample(sample);
         signals.ifPresent(s -> s.sample(sample));
+        recording.ifPresent(r -> r.sample(sample));
         path.sample(sample);
     }
 
@@ -44,6 +50,11 @@ final class Recorder {
         } catch (IOException e) {
             throw new UncheckedIOException("cannot write console.txt", e);
         }
+    }
+
+    /** The run for its report. */
+    ReportRecording recording() {
+        return recording.orElseThrow(() -> new IllegalStateException("a run without a folder keeps no recording"));
     }
 
     PathDrawing path() {

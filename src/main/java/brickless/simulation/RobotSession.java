@@ -1,18 +1,18 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
-import brickless.device.motor.MotorFitting;
-import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.Surroundings;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.kernel.ProgramEnd;
+import brickless.loading.hints.HintFinder;
 import brickless.physics.Arena;
 import brickless.physics.RobotBody;
 import brickless.trace.RobotSample;
 import brickless.world.RobotModel;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** One robot of a run: its body, its devices, its brick, and the kernel its program runs on. */
 final class RobotSession {
@@ -25,25 +25,36 @@ final class RobotSession {
     private final Panel panel;
     private final RobotDevices devices;
     private final RunTimeFitting fitting = new RunTimeFitting();
+    private final PlugNotes plugs = new PlugNotes();
     private final RobotRealm realm;
+    private boolean poweredOff;
 
     RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Surroundings surroundings,
-            Recorder recorder, Stimulator stimulator) {
+            Recorder recorder, Stimulator stimulator, Optional<ProgramBody> programBody) {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
         body = arena.robot(name).orElseThrow();
         kernel = new Kernel(kernelSettings(settings, arena));
         console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
-        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, () -> kernel.exit(1));
-        devices = new RobotDevices(body, surroundings, kernel, fitted ? fitting : MotorFitting.FIXED, fitted ? fitting : SensorFitting.FIXED);
-        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console));
+        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
+        boolean open = fitted || programBody.isPresent();
+        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : plugs, open ? fitting : plugs);
+        if (open) {
+            fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
+        }
+        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
 
     private KernelSettings kernelSettings(SimulationSettings settings, Arena arena) {
         KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(arena.stepNanos())
                 .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
         return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+    }
+
+    /** The keys DOWN and ENTER were held together: the brick's menu ends the program. */
+    private void endByKeys() {
+        realm.end(1);
     }
 
     String name() {
@@ -79,12 +90,17 @@ final class RobotSession {
     }
 
     void beforeStep(long nowNanos) {
+        if (!poweredOff && kernel.end() != null) {
+            poweredOff = true;
+            devices.powerOff();
+        }
         devices.beforeStep(nowNanos);
     }
 
     void afterStep(long nowNanos) {
         devices.afterStep(nowNanos);
         panel.step(nowNanos);
+        console.step(nowNanos);
     }
 
     RobotSample sample(long nowNanos) {
@@ -114,8 +130,9 @@ final class RobotSession {
             notes.add(RobotFitter.describe(model));
         }
         if (!fitting.plugged().isEmpty()) {
-            notes.add("plugged in when the program opened it: " + String.join(", ", fitting.plugged()));
+            notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
+        notes.addAll(plugs.notes());
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
         }

@@ -2,6 +2,7 @@ package brickless.simulation;
 
 import brickless.world.Pose2;
 import java.util.List;
+import java.util.Optional;
 
 /** What can be seen of a robot from outside while the run is held or over. Angles in degrees, clockwise on the page; lengths in metres. */
 public final class RobotView {
@@ -64,6 +65,11 @@ public final class RobotView {
     /** What the program has printed so far, one entry per complete line. */
     public List<String> printedLines() {
         return session.console().lines();
+    }
+
+    /** Class name of the behaviour that the program's arbitrator made active last, empty when none is. */
+    public Optional<String> activeBehaviour() {
+        return session.console().activeBehaviour();
     }
 
     /** Text for the summary about what was done for this robot. */

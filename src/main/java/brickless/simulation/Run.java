@@ -63,6 +63,16 @@ public final class Run implements AutoCloseable {
         return engine.sessions().stream().map(RobotView::new).toList();
     }
 
+    /** Names of the zones that robots entered so far, in order of first entry. */
+    public List<String> zonesEntered() {
+        return List.copyOf(engine.journey().zones());
+    }
+
+    /** Contacts of robots with obstacles or each other that began so far. */
+    public int collisions() {
+        return engine.journey().collisions();
+    }
+
     /** Presses a key of the first robot for 200 ms of simulated time, beginning when the run goes on. */
     public void press(String key) {
         Integer mask = StimuliReader.KEYS.get(key.toUpperCase(Locale.ROOT));

@@ -47,12 +47,13 @@ final class RunEngine {
     private boolean started;
     private volatile RunReport report;
 
-    RunEngine(SimulationSettings settings, Program program) {
+    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body) {
         this.settings = settings;
         this.program = program;
         World world = settings.world();
         List<Crew.Member> crew = new Crew(settings, program).members();
         arena = new Arena(world, crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(), ArenaSettings.of(settings.ideal()));
+        new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
         recorder = new Recorder(folder, new TraceHeader(program.mainClass(), world.name(), crew.stream().map(m -> m.model().name()).toList(),
                 settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
@@ -60,13 +61,17 @@ final class RunEngine {
         arena.setListener(journey);
         Surroundings surroundings = new Surroundings(arena, FloorColour.of(world), settings.seed(), settings.ideal());
         stimulator = new Stimulator(settings.stimuli(), arena, recorder);
-        sessions = crew.stream().map(member -> new RobotSession(settings, member, arena, surroundings, recorder, stimulator)).toList();
+        sessions = crew.stream().map(member -> new RobotSession(settings, member, arena, surroundings, recorder, stimulator, body)).toList();
         stimulator.drive(sessions);
         sample();
     }
 
     long nowNanos() {
         return now;
+    }
+
+    Journey journey() {
+        return journey;
     }
 
     List<RobotSession> sessions() {
@@ -78,11 +83,18 @@ final class RunEngine {
     }
 
     void add(Stimulus stimulus) {
+        SetupCheck.stimulus(stimulus, arena);
         gate.leave(() -> stimulator.add(stimulus));
     }
 
     void stop() {
-        if (started && !gate.ended()) {
+        if (!started) {
+            started = true;
+            recorder.finish();
+            folder.ifPresent(RunFolder::discard);
+            sessions.forEach(RobotSession::release);
+            gate.end(null);
+        } else if (!gate.ended()) {
             gate.leave(() -> sessions.forEach(session -> session.kernel().timeUp()));
             gate.advanceTo(Long.MAX_VALUE);
         }
@@ -170,7 +182,7 @@ final class RunEngine {
         RobotSession first = sessions.get(0);
         Pose2 pose = first.body().pose();
         List<String> notes = sessions.stream().flatMap(session -> session.notes().stream()).toList();
-        return new RunReport(program.mainClass(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
+        return new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
                 settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), pose, hash,
                 sessions.stream().mapToLong(session -> session.kernel().contextSwitches()).sum(), first.kernel().physicsSteps(),

@@ -1,9 +1,16 @@
 package brickless.simulation;
 
+import brickless.trace.HtmlReport;
+import brickless.trace.ReportScene;
 import brickless.world.Point2;
+import brickless.world.RobotModel;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Writes the files of a finished run that are made at its end, and publishes all of them. */
 final class RunFiles {
@@ -21,16 +28,26 @@ final class RunFiles {
 
     void write(RunReport report) {
         folder.write("summary.json", report.json() + "\n");
+        folder.write("world.svg", settings.world().svg());
         Map<String, List<List<Point2>>> outlines = new LinkedHashMap<>();
-        sessions.forEach(session -> outlines.put(session.name(), session.model().chassis()));
-        folder.write("path.svg", recorder.path().svg(settings.world(), outlines));
+        Map<String, RobotModel> models = new LinkedHashMap<>();
         for (int i = 0; i < sessions.size(); i++) {
             RobotSession session = sessions.get(i);
+            outlines.put(session.name(), session.model().chassis());
+            models.put(session.name(), session.model());
             folder.write(i == 0 ? "screen.png" : "screen-" + session.name() + ".png", session.panel().screen().asPng());
-            if (session.fitted()) {
-                folder.write(i == 0 ? "robot.svg" : "robot-" + session.name() + ".svg", session.model().svg());
-            }
+            folder.write(FinishedRun.robotFile(i, session.name()), session.model().svg());
         }
+        folder.write("path.svg", recorder.path().svg(settings.world(), outlines));
+        page(report, new ReportScene(settings.world(), models));
         folder.publish();
+    }
+
+    private void page(RunReport report, ReportScene scene) {
+        try (OutputStream out = folder.open("report.html")) {
+            HtmlReport.write(out, recorder.recording(), scene, Optional.of(report.json()));
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot write report.html", e);
+        }
     }
 }

@@ -57,6 +57,17 @@ final class RunFolder {
         }
     }
 
+    /** Removes files that were begun, for a run that never went on. */
+    void discard() {
+        try {
+            for (String name : names) {
+                Files.deleteIfExists(part(name));
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     private Path part(String name) {
         return folder.resolve(name + ".part");
     }

@@ -1,6 +1,10 @@
 package brickless.simulation;
 
 import brickless.program.Program;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 
 /**
  * A world, a robot and a seed, ready to run programs.
@@ -10,18 +14,38 @@ import brickless.program.Program;
  * Run run = simulation.start(BumperCar.class);
  * run.advance(Duration.ofSeconds(30));
  * </pre>
+ *
+ * <p>If several runs are started, the files of the second go into the folder with {@code -2} behind its name, and so on. Thread-safe.
  */
 public final class Simulation {
     private final SimulationSettings settings;
+    private final Consumer<Run> started;
+    private final AtomicInteger runs = new AtomicInteger();
 
     /** Creates a simulation. */
     public Simulation(SimulationSettings settings) {
+        this(settings, run -> { });
+    }
+
+    /**
+     * Creates a simulation that tells about its runs.
+     *
+     * @param started is given every run that is started, so that it can be closed
+     */
+    public Simulation(SimulationSettings settings, Consumer<Run> started) {
         this.settings = settings;
+        this.started = started;
     }
 
     /** The settings. */
     public SimulationSettings settings() {
         return settings;
+    }
+
+    /** The same with another seed; the files of its runs go into a folder of their own. */
+    public Simulation withSeed(long seed) {
+        Optional<Path> out = settings.out().map(folder -> folder.resolveSibling(folder.getFileName() + "-seed" + seed));
+        return new Simulation(settings.toBuilder().seed(seed).out(out).build(), started);
     }
 
     /** Starts the main method of a class of this JVM's class path; it stands still before its first instruction. */
@@ -35,6 +59,25 @@ public final class Simulation {
      * @throws SetupException if program, world and robot do not fit together
      */
     public Run start(Program program) {
-        return new Run(new RunEngine(settings, program));
+        return start(program, Optional.empty());
+    }
+
+    /**
+     * Starts something that is no main method; it stands still before its first instruction.
+     *
+     * @param program class that tells which ports and devices are used
+     * @param body what to run
+     * @throws SetupException if program, world and robot do not fit together
+     */
+    public Run start(Class<?> program, ProgramBody body) {
+        return start(Program.onClassPath(program.getName()), Optional.of(body));
+    }
+
+    private Run start(Program program, Optional<ProgramBody> body) {
+        int number = runs.incrementAndGet();
+        Optional<Path> out = settings.out().map(folder -> number == 1 ? folder : folder.resolveSibling(folder.getFileName() + "-" + number));
+        Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body));
+        started.accept(run);
+        return run;
     }
 }

@@ -30,7 +30,7 @@ final class Stimulator {
         this.recorder = recorder;
     }
 
-    /** Says whose robots these are; checks that what the stimuli name exists. */
+    /** Says whose robots these are. */
     void drive(List<RobotSession> robots) {
         sessions = robots;
         initial.forEach(this::add);
@@ -42,17 +42,9 @@ final class Stimulator {
     }
 
     void add(Stimulus stimulus) {
-        check(stimulus);
         boolean press = stimulus instanceof Stimulus.Press;
         pressesToCome += press ? 1 : 0;
         due.add(new Due(stimulus.atNanos(), order++, press, () -> begin(stimulus)));
-    }
-
-    private void check(Stimulus stimulus) {
-        String target = stimulus instanceof Stimulus.Move move ? move.target() : stimulus instanceof Stimulus.Remove remove ? remove.target() : null;
-        if (target != null && arena.obstacle(target).isEmpty() && arena.robot(target).isEmpty()) {
-            throw new SetupException("stimulus '" + stimulus.text() + "': there is no robot or obstacle named " + target);
-        }
     }
 
     void step(long nowNanos) {

@@ -104,6 +104,14 @@ public final class JsonLine {
         });
     }
 
+    /** Writes a value that is JSON already. */
+    public JsonLine raw(String name, String value) {
+        return write(() -> {
+            json.writeFieldName(name);
+            json.writeRawValue(value);
+        });
+    }
+
     private interface Writing {
         void run() throws IOException;
     }

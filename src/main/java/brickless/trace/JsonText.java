@@ -1,8 +1,10 @@
 package brickless.trace;
 
+import com.fasterxml.jackson.core.JsonEncoding;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.function.Consumer;
@@ -24,5 +26,15 @@ public final class JsonText {
             throw new UncheckedIOException(e);
         }
         return text.toString();
+    }
+
+    /** Writes one object whose fields {@code fields} writes, in UTF-8; the stream is left open. */
+    static void object(OutputStream out, Consumer<JsonLine> fields) throws IOException {
+        try (JsonGenerator json = FACTORY.createGenerator(out, JsonEncoding.UTF8)) {
+            json.disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET);
+            json.writeStartObject();
+            fields.accept(new JsonLine(json));
+            json.writeEndObject();
+        }
     }
 }

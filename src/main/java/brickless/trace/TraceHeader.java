@@ -22,4 +22,9 @@ public record TraceHeader(String main, String world, List<String> robots, long s
     public TraceHeader {
         robots = List.copyOf(robots);
     }
+
+    void write(JsonLine line) {
+        line.integer("version", VERSION).text("main", main).text("world", world).texts("robots", robots).integer("seed", seed)
+                .integer("scheduleSeed", scheduleSeed).flag("ideal", ideal).seconds("step", stepNanos).seconds("sample", sampleNanos);
+    }
 }

@@ -27,10 +27,7 @@ public final class TraceWriter implements AutoCloseable {
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every JDK has SHA-256", e);
         }
-        append(JsonText.object(line -> line.text("type", "header").integer("version", TraceHeader.VERSION).text("main", header.main())
-                .text("world", header.world()).texts("robots", header.robots()).integer("seed", header.seed())
-                .integer("scheduleSeed", header.scheduleSeed()).flag("ideal", header.ideal())
-                .seconds("step", header.stepNanos()).seconds("sample", header.sampleNanos())));
+        append(JsonText.object(line -> header.write(line.text("type", "header"))));
     }
 
     /** Writes an event of one robot. */

@@ -23,8 +23,8 @@ public interface Audio extends Sounds {
      * Plays a WAV file: PCM, mono, 8 or 16 bit, 8 to 48 kHz.
      *
      * @param vol percent, as for {@link #playTone(int, int, int)}
-     * @return 0, or a negative error number: −9 missing or shorter than 44 bytes, −1 not RIFF or unreadable, −2 not WAVE, −3 no format,
-     *     −4 not PCM, −5 not mono, −6 not 8 or 16 bit, −7 above 48 kHz
+     * @return 0, or a negative error number: −9 missing or shorter than 44 bytes, −1 not RIFF or unreadable, −2 not
+     *     WAVE, −3 no format, −4 not PCM, −5 not mono, −6 not 8 or 16 bit, −7 above 48 kHz
      * @throws UnsupportedOperationException below 8 kHz
      */
     int playSample(File file, int vol);

@@ -47,7 +47,10 @@ public class BrickFinder {
         return new BrickInfo[0];
     }
 
-    /** Sets the brick that {@link #getDefault()} returns; classes such as {@code Button} keep the one they have met first. */
+    /**
+     * Sets the brick that {@link #getDefault()} returns; classes such as {@code Button} keep the one they have met
+     * first.
+     */
     public static synchronized void setDefault(Brick brick) {
         defaultBrick = brick;
     }

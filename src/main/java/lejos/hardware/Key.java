@@ -30,10 +30,15 @@ public interface Key {
     /** Whether the key is up; takes about 60 ms, with a click, when a key has gone down since the last look. */
     boolean isUp();
 
-    /** Blocks until the key goes down; presses of other keys are used up. Returns early if the thread is interrupted. */
+    /**
+     * Blocks until the key goes down; presses of other keys are used up. Returns early if the thread is interrupted.
+     */
     void waitForPress();
 
-    /** Blocks until the key goes down and up again; events of other keys are used up. Returns early if the thread is interrupted. */
+    /**
+     * Blocks until the key goes down and up again; events of other keys are used up. Returns early if the thread is
+     * interrupted.
+     */
     void waitForPressAndRelease();
 
     /** Adds a listener for this key; it cannot be removed. */
@@ -42,8 +47,8 @@ public interface Key {
     /**
      * Acts as if the key were moved.
      *
-     * @param event {@link #KEY_PRESSED}, {@link #KEY_RELEASED}, or {@link #KEY_PRESSED_AND_RELEASED}, which holds the key for 100 ms and
-     *     blocks meanwhile
+     * @param event {@link #KEY_PRESSED}, {@link #KEY_RELEASED}, or {@link #KEY_PRESSED_AND_RELEASED}, which holds the
+     *     key for 100 ms and blocks meanwhile
      */
     void simulateEvent(int event);
 

@@ -35,7 +35,8 @@ public interface Keys {
      * Blocks until a key goes down or up.
      *
      * @param timeout limit in milliseconds, 0 = none
-     * @return keys that went down in bits 0 to 7, keys that went up in bits 8 to 15; 0 after the time limit or an interrupt
+     * @return keys that went down in bits 0 to 7, keys that went up in bits 8 to 15; 0 after the time limit or an
+     *     interrupt
      */
     int waitForAnyEvent(int timeout);
 

@@ -60,7 +60,10 @@ public class Sound implements Sounds {
         return 0;
     }
 
-    /** Plays a tone of {@code aFrequency} hertz for {@code aDuration} ms; volume as in {@link Audio#playTone(int, int, int)}. */
+    /**
+     * Plays a tone of {@code aFrequency} hertz for {@code aDuration} ms; volume as in {@link Audio#playTone(int, int,
+     * int)}.
+     */
     public static void playTone(int aFrequency, int aDuration, int aVolume) {
         audio.playTone(aFrequency, aDuration, aVolume);
     }

@@ -1,6 +1,8 @@
 package lejos.hardware;
 
-/** Numbers of the system sounds, and instruments. An instrument is {attack, decay, decay drop, sustain drop, release}. */
+/**
+ * Numbers of the system sounds, and instruments. An instrument is {attack, decay, decay drop, sustain drop, release}.
+ */
 public interface Sounds {
     /** Instrument: piano. */
     int[] PIANO = {4, 25, 500, 7000, 5};

@@ -3,8 +3,8 @@ package lejos.utility;
 import lejos.hardware.lcd.LCD;
 
 /**
- * Writes messages on the screen, one row after the other. When the rows are used up the screen is cleared, and the message that found no
- * row is lost, as in leJOS.
+ * Writes messages on the screen, one row after the other. When the rows are used up the screen is cleared, and the
+ * message that found no row is lost, as in leJOS.
  */
 public class DebugMessages {
     private static final int LAST_ROW = 7;

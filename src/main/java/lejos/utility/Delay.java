@@ -9,8 +9,8 @@ public class Delay {
     public Delay() {}
 
     /**
-     * Waits at least so many milliseconds; returns at once if the number is not above 0. An interrupt does not end the wait; it stays
-     * marked.
+     * Waits at least so many milliseconds; returns at once if the number is not above 0. An interrupt does not end the
+     * wait; it stays marked.
      */
     public static void msDelay(long period) {
         if (period <= 0) {

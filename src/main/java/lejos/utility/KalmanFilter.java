@@ -3,8 +3,8 @@ package lejos.utility;
 /**
  * Estimates the state of a linear system with noise.
  *
- * <p>The system is {@code x' = A x + B u} with noise covariance R, measured as {@code z = C x} with noise covariance Q. (Textbooks often
- * name the two noises the other way round.)
+ * <p>The system is {@code x' = A x + B u} with noise covariance R, measured as {@code z = C x} with noise covariance Q.
+ * (Textbooks often name the two noises the other way round.)
  */
 public class KalmanFilter {
     private final Matrix a;

@@ -4,8 +4,8 @@ import java.io.Serializable;
 import java.util.Arrays;
 
 /**
- * Splits the rows of a matrix, reordered, into a lower triangular matrix with ones on the diagonal times an upper triangular one, taking the
- * greatest remaining number of each column as pivot.
+ * Splits the rows of a matrix, reordered, into a lower triangular matrix with ones on the diagonal times an upper
+ * triangular one, taking the greatest remaining number of each column as pivot.
  */
 public class LUDecomposition implements Serializable {
     private static final long serialVersionUID = 1L;

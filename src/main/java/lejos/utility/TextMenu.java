@@ -5,8 +5,8 @@ import lejos.hardware.Button;
 import lejos.hardware.lcd.TextLCD;
 
 /**
- * A list on the text screen to choose from: UP and DOWN move, ENTER chooses, ESCAPE gives up. Row 0 of the screen is never used for items, so
- * at most seven are visible at a time; longer lists scroll.
+ * A list on the text screen to choose from: UP and DOWN move, ENTER chooses, ESCAPE gives up. Row 0 of the screen is
+ * never used for items, so at most seven are visible at a time; longer lists scroll.
  */
 public class TextMenu {
     /** Marks the selected item. */

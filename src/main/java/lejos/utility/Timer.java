@@ -1,8 +1,8 @@
 package lejos.utility;
 
 /**
- * Calls a listener again and again. The period is the delay plus the time the listener takes; the first call comes one delay after the
- * start. After {@link #stop} the delay that runs is finished with one more call, as in leJOS.
+ * Calls a listener again and again. The period is the delay plus the time the listener takes; the first call comes one
+ * delay after the start. After {@link #stop} the delay that runs is finished with one more call, as in leJOS.
  */
 public class Timer {
     private final TimerListener listener;

@@ -1,2 +1,5 @@
-/** Delays, timers, menus, matrices and other small tools of leJOS. May use: {@code lejos.hardware}, {@code lejos.robotics}, the JDK. */
+/**
+ * Delays, timers, menus, matrices and other small tools of leJOS. May use: {@code lejos.hardware}, {@code
+ * lejos.robotics}, the JDK.
+ */
 package lejos.utility;

@@ -43,7 +43,7 @@ class SignatureTest {
         "ThreadPoolExecutor$DiscardOldestPolicy", "RejectedExecutionHandler", "ScheduledThreadPoolExecutor",
         "ExecutorCompletionService", "Executors", "CompletableFuture", "ForkJoinPool",
         "ForkJoinPool$ForkJoinWorkerThreadFactory", "ForkJoinPool$ManagedBlocker", "ForkJoinTask",
-        "ForkJoinWorkerThread", "RecursiveTask", "RecursiveAction"})
+        "ForkJoinWorkerThread", "RecursiveTask", "RecursiveAction", "ConcurrentHashMap"})
     void synchronizersQueuesAndExecutorsHaveAllMembers(String name) throws ClassNotFoundException {
         assertComplete("java.util.concurrent." + name, "brickless.concurrent." + name);
     }

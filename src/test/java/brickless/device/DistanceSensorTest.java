@@ -15,6 +15,7 @@ import brickless.world.Pose2;
 import brickless.world.Rgb;
 import brickless.world.SensorType;
 import brickless.world.World;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -42,7 +43,8 @@ class DistanceSensorTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.2, 0.5, 1.0, 1.5})
     void headOnWallIsMeasuredWithinACentimetre(double metres) {
-        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, wallAt(metres)))).isCloseTo((int) (metres * 1000), offset(10));
+        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, wallAt(metres))))
+                .isCloseTo((int) (metres * 1000), offset(10));
     }
 
     @Test void nothingReads2550() {
@@ -66,8 +68,10 @@ class DistanceSensorTest {
     }
 
     @Test void thingsBesideTheBeamAreNotHeard() {
-        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.1, 0.1, 1)))).isLessThan(NOTHING);
-        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.3, 0.1, 1)))).isEqualTo(NOTHING);
+        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.1, 0.1, 1))))
+                .isLessThan(NOTHING);
+        assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.3, 0.1, 1))))
+                .isEqualTo(NOTHING);
     }
 
     @Test void absorbingAndLowObstaclesAreNotHeard() {
@@ -87,7 +91,8 @@ class DistanceSensorTest {
     }
 
     @Test void noisyDistanceStaysWithinACentimetreAndChangesOncePerPing() {
-        SensorBench sensor = new SensorBench(TestWorlds.with(wallAt(0.8)), SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
+        SensorBench sensor = new SensorBench(TestWorlds.with(wallAt(0.8)),
+                SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
         sensor.port.uart().initialise(0);
         sensor.bench.runMillis(200);
         List<Integer> values = sensor.repeated(1000, 1);
@@ -102,8 +107,10 @@ class DistanceSensorTest {
     }
 
     @Test void readingMoreOftenDoesNotChangeValues() {
-        SensorBench often = new SensorBench(TestWorlds.with(wallAt(0.8)), SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
-        SensorBench seldom = new SensorBench(TestWorlds.with(wallAt(0.8)), SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
+        SensorBench often = new SensorBench(TestWorlds.with(wallAt(0.8)),
+                SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
+        SensorBench seldom = new SensorBench(TestWorlds.with(wallAt(0.8)),
+                SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
         often.port.uart().initialise(0);
         seldom.port.uart().initialise(0);
         often.repeated(500, 0);
@@ -116,8 +123,10 @@ class DistanceSensorTest {
     @Test void listeningSensorHearsAnotherRobot() {
         World world = TestWorlds.with();
         Arena arena = new Arena(world, List.of(
-                new Entrant("a", TestWorlds.educator(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06)), new Pose2(0, 0, 0)),
-                new Entrant("b", TestWorlds.educator(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06)), new Pose2(1, 0, Math.PI))),
+                new Entrant("a", TestWorlds.educator(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06)),
+                        new Pose2(0, 0, 0)),
+                new Entrant("b", TestWorlds.educator(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06)),
+                        new Pose2(1, 0, Math.PI))),
                 ArenaSettings.of(true));
         FakeProcessor processor = new FakeProcessor(arena.stepNanos(), now -> arena.step());
         RobotDevices a = RobotDevices.of(arena, arena.robots().get(0), processor, 1, true);
@@ -142,7 +151,7 @@ class DistanceSensorTest {
         assertThat((int) data[0]).isEqualTo(42);
         byte[] vendor = new byte[4];
         sensor.port.i2c().transaction(2, new byte[] {0x08}, 0, 1, vendor, 0, 4);
-        assertThat(new String(vendor, java.nio.charset.StandardCharsets.US_ASCII)).isEqualTo("LEGO");
+        assertThat(new String(vendor, StandardCharsets.US_ASCII)).isEqualTo("LEGO");
         assertThat(sensor.port.i2c().transaction(8, new byte[] {0x42}, 0, 1, data, 0, 1)).isEqualTo(Status.NO_ANSWER);
     }
 

@@ -9,8 +9,9 @@ import brickless.physics.ArenaSettings;
 import brickless.world.MotorType;
 import brickless.world.Point2;
 import brickless.world.Pose2;
-import brickless.world.RobotModel;
 import brickless.world.RobotModel.Wheel;
+import brickless.world.RobotModel;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,7 +26,8 @@ class DrivingTest {
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void straightMetreIsAMetre(boolean ideal) {
-        RobotBench bench = ideal ? RobotBench.ideal(TestWorlds.with(), TestWorlds.educator()) : RobotBench.real(TestWorlds.with(), TestWorlds.educator());
+        RobotBench bench = ideal ? RobotBench.ideal(TestWorlds.with(), TestWorlds.educator())
+                : RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         bench.rotate(ONE_METRE, ONE_METRE, 360);
         assertThat(bench.robot.xMetres()).isCloseTo(1, withPercentage(1));
         assertThat(bench.robot.yMetres()).isCloseTo(0, offset(0.002));
@@ -94,7 +96,8 @@ class DrivingTest {
     }
 
     private static double slipAfterReversing(boolean ideal) {
-        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0, 0), ArenaSettings.of(ideal));
+        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0, 0),
+                ArenaSettings.of(ideal));
         bench.drive(100, 100);
         bench.runMillis(500);
         bench.drive(-100, -100);
@@ -125,13 +128,14 @@ class DrivingTest {
     }
 
     private static RobotModel omniRobot() {
-        List<Wheel> wheels = new java.util.ArrayList<>();
+        List<Wheel> wheels = new ArrayList<>();
         for (int port = 0; port < 3; port++) {
             double heading = Math.toRadians(120 * port);
             wheels.add(new Wheel("w" + port, port, MotorType.LARGE, 0.05, 1, false,
                     new Point2(-0.08 * Math.sin(heading), 0.08 * Math.cos(heading)), heading, true));
         }
-        return new RobotModel("omni", List.of(TestWorlds.box(-0.07, -0.07, 0.07, 0.07)), 0.8, wheels, List.of(), List.of(), List.of(), List.of(), "");
+        return new RobotModel("omni", List.of(TestWorlds.box(-0.07, -0.07, 0.07, 0.07)), 0.8, wheels, List.of(),
+                List.of(), List.of(), List.of(), "");
     }
 
     @Test void halvingTheStepChangesTheEndByLessThanOnePercent() {
@@ -143,7 +147,8 @@ class DrivingTest {
     }
 
     private static Pose2 curve(long stepNanos) {
-        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0, 0), new ArenaSettings(false, stepNanos));
+        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0, 0),
+                new ArenaSettings(false, stepNanos));
         bench.drive(100, 60);
         bench.runMillis(3000);
         bench.drive(0, 0);

@@ -4,11 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
 import brickless.TestWorlds;
+import brickless.device.sensor.FloorColour;
 import brickless.world.Lamp;
+import brickless.world.Paint;
 import brickless.world.Point2;
 import brickless.world.Region;
+import brickless.world.Rgb;
 import brickless.world.SensorType;
+import brickless.world.Texture;
 import brickless.world.World;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -31,8 +36,10 @@ class FloorSensorTest {
     }
 
     @ParameterizedTest(name = "{1} is {2}")
-    @CsvSource({"1,black,101010", "1,black,000000", "1,black,333333", "2,blue,0000ff", "2,blue,0055bf", "2,blue,00008b", "3,green,00ff00", "3,green,00852b",
-        "3,green,228b22", "4,yellow,ffff00", "4,yellow,f5cd2f", "4,yellow,ffd700", "5,red,ff0000", "5,red,c91a09", "5,red,8b0000", "6,white,ffffff",
+    @CsvSource({"1,black,101010", "1,black,000000", "1,black,333333", "2,blue,0000ff", "2,blue,0055bf",
+            "2,blue,00008b", "3,green,00ff00", "3,green,00852b",
+        "3,green,228b22", "4,yellow,ffff00", "4,yellow,f5cd2f", "4,yellow,ffd700", "5,red,ff0000", "5,red,c91a09",
+                "5,red,8b0000", "6,white,ffffff",
         "6,white,f5f5dc", "6,white,d3d3d3", "7,brown,8b4513", "7,brown,654321", "7,brown,a0522d"})
     void paintIsNamed(int id, String name, String rgb) {
         assertThat(colour(Integer.parseInt(rgb, 16), COLOUR).bytes(1)[0]).as(name).isEqualTo((byte) id);
@@ -50,14 +57,17 @@ class FloorSensorTest {
 
     @Test void rawColoursOfPaperAndTapeAreAsUsersReport() {
         int[] white = colour(WHITE, RGB).shorts(3);
-        assertThat(java.util.Arrays.stream(white).boxed()).allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.2, 0.35));
+        assertThat(Arrays.stream(white).boxed())
+                .allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.2, 0.35));
         assertThat(white[1]).isGreaterThan(white[0]);
         assertThat(white[0]).isGreaterThan(white[2]);
-        assertThat(java.util.Arrays.stream(colour(BLACK, RGB).shorts(3)).boxed()).allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.015, 0.04));
+        assertThat(Arrays.stream(colour(BLACK, RGB).shorts(3)).boxed())
+                .allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.015, 0.04));
     }
 
     @Test void edgeOfALineReadsInBetween() {
-        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE), SensorBench.paint(BLACK, -1, 0, 1, 1));
+        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE),
+                SensorBench.paint(BLACK, -1, 0, 1, 1));
         sensor.port.uart().initialise(REFLECT);
         assertThat((int) sensor.bytes(1)[0]).isBetween(30, 52);
     }
@@ -70,7 +80,8 @@ class FloorSensorTest {
     }
 
     @Test void overTheEdgeThereIsNoColour() {
-        World world = new World("table", -1, -1, 2, 2, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(), List.of(), List.of(),
+        World world = new World("table", -1, -1, 2, 2, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
+                List.of(), List.of(),
                 Optional.of(new Region.Filled(List.of(TestWorlds.box(-0.5, -0.5, 0.04, 0.5)), false)), List.of(), "");
         SensorBench sensor = new SensorBench(world, SensorBench.front(SensorType.EV3_COLOR, 0.008), true);
         sensor.port.uart().initialise(COLOUR);
@@ -81,7 +92,8 @@ class FloorSensorTest {
 
     @Test void lampsRaiseTheAmbientLight() {
         int dark = colour(WHITE, AMBIENT).bytes(1)[0];
-        World lit = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(), List.of(),
+        World lit = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
+                List.of(),
                 List.of(new Lamp("lamp", 3000, new Point2(0.06, 0))), Optional.empty(), List.of(), "");
         SensorBench sensor = new SensorBench(lit, SensorBench.front(SensorType.EV3_COLOR, 0.008), true);
         sensor.port.uart().initialise(AMBIENT);
@@ -89,11 +101,27 @@ class FloorSensorTest {
         assertThat((int) sensor.bytes(1)[0]).isGreaterThan(50);
     }
 
+    @Test void halfTransparentPaintMixesWithWhatLiesBelow() {
+        Paint veil = new Paint("veil", SensorBench.everywhere(0).region(), new Rgb(0, 0, 0), 0.5);
+        World world = TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE), veil));
+        assertThat(FloorColour.of(world).at(0.1, 0.1)).isEqualTo(0x808080);
+    }
+
+    @Test void imageOnTheFloorIsReadPixelByPixel() {
+        Texture pixels = new Texture(2, 1, new int[] {0xffff0000, 0x000000ff}, 10, 0, 0, 10, 0, 0);
+        Region region = new Region.Filled(List.of(TestWorlds.box(0, 0, 0.2, 0.1)), false);
+        Paint image = new Paint("image", region, new Rgb(0, 0, 0), 1, Optional.of(pixels));
+        FloorColour floor = FloorColour.of(TestWorlds.world(List.of(), List.of(image)));
+        assertThat(floor.at(0.05, 0.05)).isEqualTo(0xff0000);
+        assertThat(floor.at(0.15, 0.05)).as("transparent pixel").isEqualTo(WHITE);
+        assertThat(floor.at(-5, -5)).as("beyond the drawing").isEqualTo(WHITE);
+    }
+
     @Test void noiseIsSmallAndRepeatable() {
         int[] first = noisyReflections();
         assertThat(first).isEqualTo(noisyReflections());
-        assertThat(java.util.Arrays.stream(first).boxed()).allSatisfy(value -> assertThat(value).isBetween(74, 82));
-        assertThat(java.util.Arrays.stream(first).distinct().count()).isGreaterThan(1);
+        assertThat(Arrays.stream(first).boxed()).allSatisfy(value -> assertThat(value).isBetween(74, 82));
+        assertThat(Arrays.stream(first).distinct().count()).isGreaterThan(1);
     }
 
     private static int[] noisyReflections() {

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
 import brickless.TestWorlds;
+import brickless.physics.Arena;
 import brickless.physics.ArenaListener;
 import brickless.physics.ArenaSettings;
+import brickless.physics.Entrant;
 import brickless.physics.RobotBody;
 import brickless.physics.Solid;
 import brickless.world.Obstacle;
@@ -82,8 +84,10 @@ class PushingTest {
     /** A coasting robot (no energy comes in) runs into crates and walls at many angles: kinetic energy never grows. */
     @Test void collisionsNeverAddEnergy() {
         for (int index = 0; index < 24; index++) {
-            Obstacle obstacle = index % 2 == 0 ? WALL : TestWorlds.crate("crate", 0.3, 0.02 * (index / 2 - 6), 0.15, 0.3);
-            RobotBench bench = new RobotBench(TestWorlds.with(obstacle), TestWorlds.educator(), new Pose2(-0.1, 0, 0.06 * (index - 12)),
+            Obstacle obstacle = index % 2 == 0 ? WALL
+                    : TestWorlds.crate("crate", 0.3, 0.02 * (index / 2 - 6), 0.15, 0.3);
+            RobotBench bench = new RobotBench(TestWorlds.with(obstacle), TestWorlds.educator(),
+                    new Pose2(-0.1, 0, 0.06 * (index - 12)),
                     ArenaSettings.of(false));
             bench.drive(100, 100);
             bench.runMillis(350);
@@ -93,7 +97,8 @@ class PushingTest {
             for (int step = 0; step < 500; step++) {
                 bench.runMillis(2);
                 double now = energy(bench);
-                assertThat(now).as("index %d step %d", index, step).isLessThanOrEqualTo(energy * (1 + 1e-6) + SOLVER_RESIDUAL);
+                assertThat(now).as("index %d step %d", index, step)
+                        .isLessThanOrEqualTo(energy * (1 + 1e-6) + SOLVER_RESIDUAL);
                 energy = now;
             }
         }
@@ -111,7 +116,8 @@ class PushingTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.2, 0.5, 0.8, 1.1})
     void obliqueWallIsFollowedNotEntered(double heading) {
-        RobotBench bench = new RobotBench(TestWorlds.with(WALL), TestWorlds.educator(), new Pose2(0, 0, heading), ArenaSettings.of(false));
+        RobotBench bench = new RobotBench(TestWorlds.with(WALL), TestWorlds.educator(), new Pose2(0, 0, heading),
+                ArenaSettings.of(false));
         bench.drive(70, 70);
         for (int i = 0; i < 300; i++) {
             bench.runMillis(10);
@@ -122,7 +128,8 @@ class PushingTest {
     private static double rightmost(Pose2 pose) {
         double most = Double.NEGATIVE_INFINITY;
         for (double[] corner : new double[][] {{-0.11, -0.07}, {-0.11, 0.07}, {0.05, -0.07}, {0.05, 0.07}}) {
-            most = Math.max(most, pose.x() + corner[0] * Math.cos(pose.headingRadians()) - corner[1] * Math.sin(pose.headingRadians()));
+            most = Math.max(most, pose.x() + corner[0] * Math.cos(pose.headingRadians()) - corner[1]
+                    * Math.sin(pose.headingRadians()));
         }
         return most;
     }
@@ -145,7 +152,8 @@ class PushingTest {
         List<String> told = new ArrayList<>();
         Region goal = new Region.Filled(List.of(TestWorlds.box(0.1, -0.2, 0.2, 0.2)), false);
         Region table = new Region.Filled(List.of(TestWorlds.box(-0.5, -0.5, 0.5, 0.5)), false);
-        World world = new World("table", -1, -1, 2, 2, List.of(), List.of(), List.of(new Zone("goal", goal)), List.of(), List.of(),
+        World world = new World("table", -1, -1, 2, 2, List.of(), List.of(), List.of(new Zone("goal", goal)),
+                List.of(), List.of(),
                 Optional.of(table), List.of(), "");
         RobotBench bench = RobotBench.real(world, TestWorlds.educator());
         bench.arena.setListener(new ArenaListener() {
@@ -182,9 +190,10 @@ class PushingTest {
     }
 
     @Test void twoRobotsPushEachOther() {
-        brickless.physics.Arena arena = new brickless.physics.Arena(TestWorlds.with(), List.of(
-                new brickless.physics.Entrant("a", TestWorlds.educator(), new Pose2(0, 0, 0)),
-                new brickless.physics.Entrant("b", TestWorlds.educator(), new Pose2(0.4, 0, Math.PI))), ArenaSettings.of(false));
+        Arena arena = new Arena(TestWorlds.with(), List.of(
+                new Entrant("a", TestWorlds.educator(), new Pose2(0, 0, 0)),
+                new Entrant("b", TestWorlds.educator(), new Pose2(0.4, 0, Math.PI))),
+                        ArenaSettings.of(false));
         for (int port = 1; port <= 2; port++) {
             arena.robots().get(0).shaft(port).setInertia(1.4e-3);
             arena.robots().get(0).shaft(port).drive(0.3, 0.02, 0.016);

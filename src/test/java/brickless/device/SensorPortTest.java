@@ -20,7 +20,8 @@ class SensorPortTest {
     private static final int ANGLE_AND_RATE = 3;
 
     private static SensorBench touch(SensorType type) {
-        SensorMount mount = new SensorMount("bumper", 0, type, new Point2(0.06, 0), 0, 0.03, TestWorlds.box(0.05, -0.05, 0.06, 0.05), Optional.empty());
+        SensorMount mount = new SensorMount("bumper", 0, type, new Point2(0.06, 0), 0, 0.03,
+                TestWorlds.box(0.05, -0.05, 0.06, 0.05), Optional.empty());
         return new SensorBench(TestWorlds.with(TestWorlds.wall("wall", 0.2, -1, 0.25, 1)), mount, false);
     }
 
@@ -54,7 +55,8 @@ class SensorPortTest {
     }
 
     @Test void chassisBesideTheBumperDoesNotPressIt() {
-        SensorMount mount = new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03, TestWorlds.box(0.02, -0.02, 0.04, 0.02),
+        SensorMount mount = new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03,
+                TestWorlds.box(0.02, -0.02, 0.04, 0.02),
                 Optional.empty());
         SensorBench sensor = new SensorBench(TestWorlds.with(TestWorlds.wall("wall", 0.2, -1, 0.25, 1)), mount, false);
         sensor.bench.drive(40, 40);
@@ -63,7 +65,8 @@ class SensorPortTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"EV3_TOUCH,ANALOG,16", "EV3_COLOR,UART,29", "EV3_ULTRASONIC,UART,30", "EV3_GYRO,UART,32", "EV3_INFRARED,UART,33", "NXT_TOUCH,ANALOG,1",
+    @CsvSource({"EV3_TOUCH,ANALOG,16", "EV3_COLOR,UART,29", "EV3_ULTRASONIC,UART,30", "EV3_GYRO,UART,32",
+            "EV3_INFRARED,UART,33", "NXT_TOUCH,ANALOG,1",
         "NXT_LIGHT,ANALOG,2", "NXT_SOUND,ANALOG,3", "NXT_COLOR,ANALOG,4", "NXT_ULTRASONIC,I2C,123"})
     void devicesTellWhatTheyAre(SensorType type, Wiring wiring, int number) {
         SensorBench sensor = SensorBench.of(type);

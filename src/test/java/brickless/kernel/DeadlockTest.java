@@ -2,9 +2,9 @@ package brickless.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import handwritten.LockOrder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import programs.failing.LockOrder;
 
 class DeadlockTest {
     private static final String BACKENDS = "brickless.kernel.Backends#available";
@@ -24,11 +24,12 @@ class DeadlockTest {
                 line -> assertThat(line).isEqualTo("deadlock at 31.002 ms"),
                 line -> assertThat(line).matches(
                         "\"left\" BLOCKED on java.lang.StringBuilder held by \"right\" at LockOrder.java:\\d+"),
-                line -> assertThat(line).matches("    at programs.failing.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
-                line -> assertThat(line).matches("    at programs.failing.LockOrder.lambda.*"),
-                line -> assertThat(line).matches("\"right\" BLOCKED on java.lang.Object held by \"left\" at LockOrder.java:\\d+"),
-                line -> assertThat(line).matches("    at programs.failing.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
-                line -> assertThat(line).matches("    at programs.failing.LockOrder.lambda.*"));
+                line -> assertThat(line).matches("    at handwritten.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
+                line -> assertThat(line).matches("    at handwritten.LockOrder.lambda.*"),
+                line -> assertThat(line).matches(
+                        "\"right\" BLOCKED on java.lang.Object held by \"left\" at LockOrder.java:\\d+"),
+                line -> assertThat(line).matches("    at handwritten.LockOrder.takeBoth\\(LockOrder.java:\\d+\\)"),
+                line -> assertThat(line).matches("    at handwritten.LockOrder.lambda.*"));
     }
 
     @ParameterizedTest

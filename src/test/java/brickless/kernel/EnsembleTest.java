@@ -32,7 +32,7 @@ class EnsembleTest {
             assertThat(ends.get(i)).isEqualTo(end);
             assertThat(together.get(i)).isEqualTo(alone);
         }
-        assertThat(together.stream().map(ScheduleHash::events)).allSatisfy(count -> assertThat(count).isGreaterThan(20));
+        assertThat(together).allSatisfy(hash -> assertThat(hash.events()).isGreaterThan(20));
     }
 
     @ParameterizedTest
@@ -151,7 +151,9 @@ class EnsembleTest {
     /** A program with two threads and a lock whose timing depends on its number; number 2 ends early. */
     private static Robot program(BackendChoice backend, int number, StepHandler handler) {
         Robot robot = new Robot(Robot.settings(backend).withSeed(number).withLimitNanos(LIMIT), handler);
-        robot.kernel.main(Robot.thread("main", () -> { }), Robot.runnable(() -> BusyProgram.run(robot, 3 + number, number == 2 ? 5 : 1_000)));
+        int rounds = number == 2 ? 5 : 1_000;
+        robot.kernel.main(Robot.thread("main", () -> { }),
+                Robot.runnable(() -> BusyProgram.run(robot, 3 + number, rounds)));
         return robot;
     }
 }

@@ -71,7 +71,8 @@ class EventQueueTest {
                 expected.add(event);
             }
         }
-        expected.sort(Comparator.comparingLong((Event event) -> event.timeNanos).thenComparingLong(event -> event.sequence));
+        expected.sort(Comparator.comparingLong((Event event) -> event.timeNanos)
+                .thenComparingLong(event -> event.sequence));
         List<Event> polled = new ArrayList<>();
         while (queue.size() > 0) {
             polled.add(queue.poll());

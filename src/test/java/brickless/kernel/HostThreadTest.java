@@ -3,6 +3,8 @@ package brickless.kernel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import handwritten.StaticAction;
+import handwritten.StaticInitialiser;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.ref.WeakReference;
@@ -12,8 +14,6 @@ import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import programs.passing.StaticAction;
-import programs.passing.StaticInitialiser;
 
 /** What the host's side of a program sees: thread locals, stacks that cannot be left, what remains after a run. */
 class HostThreadTest {
@@ -99,8 +99,8 @@ class HostThreadTest {
             });
         });
         // Sleeps of 2,3,4 / 3,4,5 / 4,5,2 / 5,2,3 ms, all from 2.5 ms on; who went to sleep first wakes first.
-        assertThat(robot.log).containsExactly("0.0", "1.0", "2.0", "plain.0", "3.0", "0.1", "1.1", "3.1", "plain.1", "2.1", "0.2",
-                "3.2", "2.2", "1.2", "plain.2");
+        assertThat(robot.log).containsExactly(
+                "0.0", "1.0", "2.0", "plain.0", "3.0", "0.1", "1.1", "3.1", "plain.1", "2.1", "0.2", "3.2", "2.2", "1.2", "plain.2");
     }
 
     @ParameterizedTest

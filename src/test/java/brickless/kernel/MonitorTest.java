@@ -38,9 +38,12 @@ class MonitorTest {
     void onlyTheOwnerMayLeaveWaitOrNotify(BackendChoice backend) {
         Robot robot = new Robot(Robot.settings(backend));
         ProgramEnd end = robot.run(() -> {
-            assertThatThrownBy(() -> robot.kernel.monitorExit(lock)).isInstanceOf(IllegalMonitorStateException.class);
-            assertThatThrownBy(() -> robot.kernel.monitorWait(lock, 0)).isInstanceOf(IllegalMonitorStateException.class);
-            assertThatThrownBy(() -> robot.kernel.monitorNotify(lock, true)).isInstanceOf(IllegalMonitorStateException.class);
+            assertThatThrownBy(() -> robot.kernel.monitorExit(lock))
+                    .isInstanceOf(IllegalMonitorStateException.class);
+            assertThatThrownBy(() -> robot.kernel.monitorWait(lock, 0))
+                    .isInstanceOf(IllegalMonitorStateException.class);
+            assertThatThrownBy(() -> robot.kernel.monitorNotify(lock, true))
+                    .isInstanceOf(IllegalMonitorStateException.class);
             assertThatThrownBy(() -> robot.kernel.monitorEnter(null)).isInstanceOf(NullPointerException.class);
         });
         assertThat(end.kind()).isEqualTo(ProgramEnd.Kind.EXITED);

@@ -17,7 +17,8 @@ class ProgramEndTest {
     void theEndOfTheLastThreadIsExitZero(BackendChoice backend) {
         Robot robot = new Robot(Robot.settings(backend));
         ProgramEnd end = robot.run(() -> robot.start("last", () -> robot.sleepMillis(40)));
-        assertThat(end).isEqualTo(new ProgramEnd(ProgramEnd.Kind.EXITED, 40 * Robot.MILLI + Costs.THREAD_START_NANOS, 0, null, ""));
+        long time = Costs.THREAD_START_NANOS + 40 * Robot.MILLI;
+        assertThat(end).isEqualTo(new ProgramEnd(ProgramEnd.Kind.EXITED, time, 0, null, ""));
     }
 
     @ParameterizedTest
@@ -171,7 +172,8 @@ class ProgramEndTest {
     void hooksAreRefusedTwiceStartedOrTooLate(BackendChoice backend) {
         Robot robot = new Robot(Robot.settings(backend));
         robot.run(() -> {
-            Thread hook = Robot.thread("hook", () -> assertThatThrownBy(() -> robot.kernel.addShutdownHook(new Thread()))
+            Thread late = Robot.thread("late", () -> { });
+            Thread hook = Robot.thread("hook", () -> assertThatThrownBy(() -> robot.kernel.addShutdownHook(late))
                     .isInstanceOf(IllegalStateException.class));
             robot.kernel.addShutdownHook(hook);
             assertThatThrownBy(() -> robot.kernel.addShutdownHook(hook)).isInstanceOf(IllegalArgumentException.class);

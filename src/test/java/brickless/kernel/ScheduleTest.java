@@ -2,11 +2,11 @@ package brickless.kernel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import handwritten.LockOrder;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import programs.failing.LockOrder;
 
 class ScheduleTest {
     private static final String BACKENDS = "brickless.kernel.Backends#available";

@@ -63,8 +63,10 @@ class ThreadLifeTest {
         robot.run(() -> {
             Thread fresh = Robot.thread("fresh", () -> { });
             Thread sleeper = robot.startDaemon("sleeper", () -> robot.sleepMillis(1_000));
-            Thread waiter = robot.startDaemon("waiter", () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 0)));
-            Thread timed = robot.startDaemon("timed", () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 1_000_000_000)));
+            Thread waiter = robot.startDaemon("waiter",
+                    () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 0)));
+            Thread timed = robot.startDaemon("timed",
+                    () -> robot.locked(lock, () -> robot.kernel.monitorWait(lock, 1_000 * Robot.MILLI)));
             Thread parked = robot.startDaemon("parked", () -> robot.kernel.park(0));
             Thread joiner = robot.startDaemon("joiner", () -> robot.kernel.join(sleeper, 0));
             Thread ready = robot.startDaemon("ready", robot::spin);
@@ -203,14 +205,14 @@ class ThreadLifeTest {
             robot.run(() -> {
                 robot.log.add("" + robot.kernel.nextThreadNumber() + robot.kernel.nextThreadNumber());
                 robot.log.add("" + robot.kernel.nextThreadId() + robot.kernel.nextThreadId());
-                robot.log.add("" + new java.util.Random(5).longs(2).sum()
+                robot.log.add("" + new java.util.Random(Seeds.spread(5)).longs(2).sum()
                         + "=" + (robot.kernel.nextRandomLong() + robot.kernel.nextRandomLong()));
                 // 4096 · 1103515245 + 12345 modulo 2^31
                 robot.log.add("" + robot.kernel.nextIdentityHash());
                 robot.sleepMillis(4);
                 robot.log.add(robot.kernel.currentTimeMillis() + " " + robot.kernel.nanoTime());
             });
-            long sum = new java.util.Random(5).longs(2).sum();
+            long sum = new java.util.Random(Seeds.spread(5)).longs(2).sum();
             assertThat(robot.log).containsExactly("01", "12", sum + "=" + sum, "1692860473", "1004 4004000");
         }
     }

@@ -18,17 +18,20 @@ import java.util.stream.Stream;
  * &#64;input text                 a line of System.in
  * &#64;prints text                a line of output; all of them, in order, are the whole output
  * &#64;contains text              the output or the dump has it somewhere
+ * &#64;outside                    the host's network decides about times, so only the output is the same in every run
  * &#64;explore 200 deadlock       one of 200 random schedules ends like this
  * </pre>
  */
-record FixtureProgram(String mainClass, String expected, long limitSeconds, String input, List<String> prints, List<String> contains,
-        String explore) {
+record FixtureProgram(String mainClass, String expected, long limitSeconds, String input, List<String> prints,
+        List<String> contains,
+        boolean outside, String explore) {
     /** Every program with a main method. */
     static List<FixtureProgram> all() throws IOException {
         Path sources = sources();
         try (Stream<Path> files = Files.walk(sources.resolve("programs"))) {
             List<FixtureProgram> programs = new ArrayList<>();
-            for (Path file : files.filter(path -> path.toString().endsWith(".java")).sorted().collect(Collectors.toList())) {
+            for (Path file : files.filter(path -> path.toString().endsWith(".java")).sorted()
+                    .collect(Collectors.toList())) {
                 String text = Files.readString(file, StandardCharsets.UTF_8);
                 if (text.contains("void main(String")) {
                     String name = sources.relativize(file).toString().replace('\\', '/').replace('/', '.');
@@ -57,13 +60,16 @@ record FixtureProgram(String mainClass, String expected, long limitSeconds, Stri
         }
         String limit = tags(text, "limit").stream().findFirst().orElse("10 s");
         String input = tags(text, "input").stream().map(line -> line + "\n").collect(Collectors.joining());
-        return new FixtureProgram(mainClass, expected.get(0), Long.parseLong(limit.replace(" s", "")), input, tags(text, "prints"),
-                tags(text, "contains"), tags(text, "explore").stream().findFirst().orElse(null));
+        return new FixtureProgram(mainClass, expected.get(0), Long.parseLong(limit.replace(" s", "")), input,
+                tags(text, "prints"),
+                tags(text, "contains"), !tags(text, "outside").isEmpty(),
+                tags(text, "explore").stream().findFirst().orElse(null));
     }
 
     private static List<String> tags(String text, String tag) {
         String comment = text.substring(text.indexOf("/**"), text.indexOf("*/"));
-        return comment.lines().map(line -> line.replaceFirst("^\\s*\\* ?", "")).filter(line -> line.startsWith("@" + tag))
+        return comment.lines().map(line -> line.replaceFirst("^\\s*\\* ?", ""))
+                .filter(line -> line.startsWith("@" + tag))
                 .map(line -> line.substring(Math.min(line.length(), tag.length() + 2))).collect(Collectors.toList());
     }
 }

@@ -26,7 +26,8 @@ class JdkCallTableTest {
     private static void check(JdkCall call) throws ReflectiveOperationException {
         Class<?> owner = type(call.owner());
         Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.descriptor(), null).parameterArray();
-        Executable member = call.kind() == Kind.NEW ? owner.getConstructor(parameters) : owner.getDeclaredMethod(call.name(), parameters);
+        Executable member = call.kind() == Kind.NEW ? owner.getConstructor(parameters)
+                : owner.getDeclaredMethod(call.name(), parameters);
         assertThat(Modifier.isStatic(member.getModifiers())).isEqualTo(call.kind() == Kind.STATIC);
         if (call.kind() == Kind.NEW) {
             checkSuppliers(call, owner);

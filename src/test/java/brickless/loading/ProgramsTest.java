@@ -12,13 +12,17 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** Whole programs on a kernel: each does one thing, its comment says what must happen, and it happens the same way every time. */
+/**
+ * Whole programs on a kernel: each does one thing, its comment says what must happen, and it happens the same way every
+ * time.
+ */
 class ProgramsTest {
     private static final long NANOS_PER_SECOND = 1_000_000_000L;
 
     @TestFactory
     Stream<DynamicTest> programsEndAsTheirCommentsSay() throws IOException {
-        return FixtureProgram.all().stream().map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> check(program)));
+        return FixtureProgram.all().stream()
+                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> check(program)));
     }
 
     private static void check(FixtureProgram program) {
@@ -32,7 +36,9 @@ class ProgramsTest {
         }
         ProgramRun again = run(program, settings(program).withBackend(BackendChoice.AUTO));
         assertThat(again.output()).isEqualTo(first.output());
-        assertThat(again.traceHash()).isEqualTo(first.traceHash());
+        if (!program.outside()) {
+            assertThat(again.traceHash()).isEqualTo(first.traceHash());
+        }
         if (program.explore() != null) {
             explore(program);
         }

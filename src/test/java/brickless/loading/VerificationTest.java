@@ -52,7 +52,8 @@ class VerificationTest {
         for (Path path : jars) {
             try (JarFile jar = new JarFile(path.toFile())) {
                 jar.stream().map(entry -> entry.getName())
-                        .filter(name -> name.endsWith(".class") && !name.startsWith("META-INF/") && !name.endsWith("module-info.class"))
+                        .filter(name -> name.endsWith(".class") && !name.startsWith("META-INF/")
+                        && !name.endsWith("module-info.class"))
                         .map(name -> name.substring(0, name.length() - ".class".length()).replace('/', '.'))
                         .forEach(names::add);
             }
@@ -86,7 +87,8 @@ class VerificationTest {
         writer.visitEnd();
         Files.write(folder.resolve("Broken.class"), writer.toByteArray());
         try (RobotClassLoader loader = RobotClassLoader.ofPaths(List.of(folder))) {
-            assertThatThrownBy(() -> Class.forName("Broken", false, loader).getDeclaredMethods()).isInstanceOf(VerifyError.class);
+            assertThatThrownBy(() -> Class.forName("Broken", false, loader).getDeclaredMethods())
+                    .isInstanceOf(VerifyError.class);
         }
     }
 }

@@ -28,7 +28,8 @@ class ConvexPartsTest {
     }
 
     @Test void angleShapeIsCutIntoTwo() {
-        List<Point2> angle = List.of(new Point2(0, 0), new Point2(0.3, 0), new Point2(0.3, 0.1), new Point2(0.1, 0.1), new Point2(0.1, 0.3),
+        List<Point2> angle = List.of(new Point2(0, 0), new Point2(0.3, 0), new Point2(0.3, 0.1), new Point2(0.1, 0.1),
+                new Point2(0.1, 0.3),
                 new Point2(0, 0.3));
         List<List<Point2>> pieces = ConvexParts.of(angle);
         assertThat(pieces).hasSize(2);

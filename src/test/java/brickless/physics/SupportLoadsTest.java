@@ -8,7 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SupportLoadsTest {
-    private static final List<Point2> TRIANGLE = List.of(new Point2(0, -0.06), new Point2(0, 0.06), new Point2(-0.09, 0));
+    private static final List<Point2> TRIANGLE = List.of(new Point2(0, -0.06), new Point2(0, 0.06),
+            new Point2(-0.09, 0));
 
     @Test void threeSupportsBalanceTheMoments() {
         double[] shares = SupportLoads.shares(TRIANGLE, new Point2(-0.03, 0));

@@ -18,7 +18,8 @@ class ButtonTest {
     @Test
     void idsAreBitsAndPositionsAreNot() {
         assertThat(new int[] {
-            Button.UP.getId(), Button.ENTER.getId(), Button.DOWN.getId(), Button.RIGHT.getId(), Button.LEFT.getId(), Button.ESCAPE.getId()
+            Button.UP.getId(), Button.ENTER.getId(), Button.DOWN.getId(), Button.RIGHT.getId(), Button.LEFT.getId(),
+                    Button.ESCAPE.getId()
         }).containsExactly(1, 2, 4, 8, 16, 32);
         assertThat(Button.ESCAPE.getName()).isEqualTo("Escape");
         assertThat(Key.ESCAPE).isEqualTo(5);

@@ -101,7 +101,8 @@ class LocalEV3Test {
         assertThat(bench.millis()).isCloseTo(10_000, within(1.0));
         assertThat(radio.getBluetoothAddress()).isEqualTo("00:16:53:00:00:01");
         assertThat(radio.getFriendlyName()).isEqualTo("bench");
-        assertThatThrownBy(() -> radio.authenticate("00:16:53:44:97:4F", "1234")).isInstanceOf(BluetoothException.class);
+        assertThatThrownBy(() -> radio.authenticate("00:16:53:44:97:4F", "1234"))
+                .isInstanceOf(BluetoothException.class);
         assertThat(Bluetooth.getNXTCommConnector().connect("NXT", 0)).isNull();
         assertThat(Wifi.getIfNames()).isEmpty();
         assertThat(Wifi.getLocalDevice("wlan0").getAccessPointNames()).isEmpty();

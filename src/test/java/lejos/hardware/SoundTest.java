@@ -44,8 +44,10 @@ class SoundTest {
         Sound.beepSequenceUp();
         Sound.beepSequence();
         assertThat(bench.events()).containsExactly(
-                "tone 523 Hz 100 ms 80 %", "tone 653 Hz 100 ms 80 %", "tone 784 Hz 100 ms 80 %", "tone 915 Hz 100 ms 80 %",
-                "tone 915 Hz 100 ms 80 %", "tone 784 Hz 100 ms 80 %", "tone 653 Hz 100 ms 80 %", "tone 523 Hz 100 ms 80 %");
+                "tone 523 Hz 100 ms 80 %", "tone 653 Hz 100 ms 80 %", "tone 784 Hz 100 ms 80 %",
+                "tone 915 Hz 100 ms 80 %",
+                "tone 915 Hz 100 ms 80 %", "tone 784 Hz 100 ms 80 %", "tone 653 Hz 100 ms 80 %",
+                "tone 523 Hz 100 ms 80 %");
     }
 
     @Test
@@ -62,7 +64,8 @@ class SoundTest {
         Sound.loadSettings();
         assertThat(Sound.getVolume()).isEqualTo(80);
         assertThat(bench.events()).containsExactly(
-                "tone 440 Hz 10 ms 50 %", "tone 440 Hz 10 ms 15 %", "tone 440 Hz 10 ms 30 %", "tone 440 Hz 10 ms 100 %");
+                "tone 440 Hz 10 ms 50 %", "tone 440 Hz 10 ms 15 %", "tone 440 Hz 10 ms 30 %",
+                "tone 440 Hz 10 ms 100 %");
     }
 
     @Test
@@ -102,12 +105,16 @@ class SoundTest {
         assertThat(bench.events()).isEmpty();
     }
 
-    private static File wave(String riff, String type, String format, int coding, int channels, int rate, int bits, int dataBytes)
+    private static File wave(String riff, String type, String format, int coding, int channels, int rate, int bits,
+            int dataBytes)
             throws IOException {
         ByteBuffer file = ByteBuffer.allocate(44 + dataBytes).order(ByteOrder.LITTLE_ENDIAN);
-        file.put(riff.getBytes(StandardCharsets.US_ASCII)).putInt(36 + dataBytes).put(type.getBytes(StandardCharsets.US_ASCII));
-        file.put(format.getBytes(StandardCharsets.US_ASCII)).putInt(16).putShort((short) coding).putShort((short) channels);
-        file.putInt(rate).putInt(rate * channels * bits / 8).putShort((short) (channels * bits / 8)).putShort((short) bits);
+        file.put(riff.getBytes(StandardCharsets.US_ASCII)).putInt(36 + dataBytes)
+                .put(type.getBytes(StandardCharsets.US_ASCII));
+        file.put(format.getBytes(StandardCharsets.US_ASCII)).putInt(16).putShort((short) coding)
+                .putShort((short) channels);
+        file.putInt(rate).putInt(rate * channels * bits / 8).putShort((short) (channels * bits / 8))
+                .putShort((short) bits);
         file.put("data".getBytes(StandardCharsets.US_ASCII)).putInt(dataBytes);
         Path path = Files.createTempFile("sound", ".wav");
         Files.write(path, file.array());

@@ -10,12 +10,14 @@ import org.junit.jupiter.api.extension.InvocationInterceptor;
 import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
 
 /**
- * Runs each test method in a class loader of its own, on a fresh {@link PanelBench}, with {@code Thread.sleep} and the clocks replaced by
- * the bench's, which the test finds in its field of that type. So static state of {@code lejos} never leaks, and timing is exact. The test code must not start threads.
+ * Runs each test method in a class loader of its own, on a fresh {@link PanelBench}, with {@code Thread.sleep} and the
+ * clocks replaced by the bench's, which the test finds in its field of that type. So static state of {@code lejos}
+ * never leaks, and timing is exact. The test code must not start threads.
  */
 public final class OnPanel implements InvocationInterceptor {
     @Override
-    public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> called, ExtensionContext context)
+    public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> called,
+            ExtensionContext context)
             throws Throwable {
         invocation.skip();
         RealmLoader realm = new RealmLoader(getClass().getClassLoader());

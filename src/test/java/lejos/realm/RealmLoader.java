@@ -22,7 +22,8 @@ final class RealmLoader extends ClassLoader {
 
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-        boolean own = name.startsWith("lejos.") && !SHARED.contains(name) || name.equals("brickless.hardware.BrickAccess");
+        boolean own = name.startsWith("lejos.") && !SHARED.contains(name)
+                || name.equals("brickless.hardware.BrickAccess");
         Class<?> loaded = findLoadedClass(name);
         if (loaded != null || !own) {
             return loaded != null ? loaded : super.loadClass(name, resolve);
@@ -50,7 +51,8 @@ final class RealmLoader extends ClassLoader {
         }
 
         @Override
-        public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+        public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+                String[] exceptions) {
             return new MethodVisitor(Opcodes.ASM9, super.visitMethod(access, name, descriptor, signature, exceptions)) {
                 @Override
                 public void visitMethodInsn(int opcode, String owner, String called, String type, boolean isInterface) {

@@ -29,7 +29,8 @@ public final class Battery implements PowerSocket {
      * Sets the load of the coming step.
      *
      * @param inMotorsAmperes sum of the currents in the motors' windings, all counted positive
-     * @param fromBatteryAmperes what they take from the battery: less at part duty, negative when braking returns energy
+     * @param fromBatteryAmperes what they take from the battery: less at part duty, negative when braking returns
+     *         energy
      */
     public void load(double inMotorsAmperes, double fromBatteryAmperes) {
         motorAmperes = inMotorsAmperes;

@@ -3,7 +3,10 @@ package brickless.device.motor;
 import brickless.physics.Shaft;
 import brickless.world.MotorType;
 
-/** A motor on a shaft, driven by a bridge: pulse width from −100 to 100 % with the pauses short-circuited, or open terminals. */
+/**
+ * A motor on a shaft, driven by a bridge: pulse width from −100 to 100 % with the pauses short-circuited, or open
+ * terminals.
+ */
 final class DcMotor {
     /** Slower than this counts as standing still, radians per second. */
     private static final double STANDING = 1e-6;
@@ -56,7 +59,10 @@ final class DcMotor {
         return amperes;
     }
 
-    /** Current taken from the battery, amperes: the winding's during the on-time only; negative when the motor generates. */
+    /**
+     * Current taken from the battery, amperes: the winding's during the on-time only; negative when the motor
+     * generates.
+     */
     double batteryAmperes() {
         return duty * amperes;
     }

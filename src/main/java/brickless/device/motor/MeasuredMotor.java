@@ -14,7 +14,8 @@ import brickless.world.MotorType;
  * @param loadedAmperes current at the loaded point
  * @param timeConstantSeconds time to 63 % of the free speed: assumption (no measured source), see MODELS.md
  */
-record MeasuredMotor(double freeRpm, double freeAmperes, double loadedRpm, double loadedNewtonMetres, double loadedAmperes,
+record MeasuredMotor(double freeRpm, double freeAmperes, double loadedRpm, double loadedNewtonMetres,
+        double loadedAmperes,
         double timeConstantSeconds) {
     /** Voltage of all measurements. */
     static final double VOLTS = 9;

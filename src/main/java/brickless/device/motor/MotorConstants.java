@@ -15,7 +15,8 @@ import brickless.world.MotorType;
  * back-EMF constant Ke = V / (ω0 + I0 · (ω0 − ω1) / (I1 − I0))
  * inertia           J  = τ · Kt · Ke / R                with the assumed time constant τ
  * </pre>
- * For the large motor: Kt = 0.173 / 0.63 = 0.2746 N·m/A, Mf = 16.5 mN·m, Ke = 0.4731 V·s/rad, R = 5.50 Ω, stall current 9 / 5.50 = 1.64 A, stall
+ * For the large motor: Kt = 0.173 / 0.63 = 0.2746 N·m/A, Mf = 16.5 mN·m, Ke = 0.4731 V·s/rad, R = 5.50 Ω, stall current
+ * 9 / 5.50 = 1.64 A, stall
  * torque 0.2746 · 1.64 − 0.0165 = 0.433 N·m, J = 1.42e-3 kg·m². Kt is below Ke because the gears lose torque.
  *
  * @param torqueConstant N·m per ampere at the output shaft, gear losses included
@@ -24,8 +25,12 @@ import brickless.world.MotorType;
  * @param frictionNewtonMetres Coulomb friction while turning
  * @param inertia rotor and gears at the output shaft, kg·m²
  */
-record MotorConstants(double torqueConstant, double backEmfConstant, double resistanceOhms, double frictionNewtonMetres, double inertia) {
-    /** Breakaway friction over friction while turning: assumption; gives the dead band of 5 to 10 % duty that real motors show. */
+record MotorConstants(double torqueConstant, double backEmfConstant, double resistanceOhms,
+        double frictionNewtonMetres, double inertia) {
+    /**
+     * Breakaway friction over friction while turning: assumption; gives the dead band of 5 to 10 % duty that real
+     * motors show.
+     */
     static final double STICTION = 1.5;
 
     /** Constants of a motor type. */
@@ -37,7 +42,8 @@ record MotorConstants(double torqueConstant, double backEmfConstant, double resi
         double kt = measured.loadedNewtonMetres() / rise;
         double ke = MeasuredMotor.VOLTS / (free + measured.freeAmperes() * drop / rise);
         double resistance = ke * drop / rise;
-        return new MotorConstants(kt, ke, resistance, kt * measured.freeAmperes(), measured.timeConstantSeconds() * kt * ke / resistance);
+        return new MotorConstants(kt, ke, resistance, kt * measured.freeAmperes(),
+                measured.timeConstantSeconds() * kt * ke / resistance);
     }
 
     /** Current at a terminal voltage and a speed, amperes. */

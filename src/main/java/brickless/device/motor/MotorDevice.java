@@ -15,15 +15,14 @@ import brickless.world.MotorType;
 /**
  * An output port: the socket that programs use, the motor plugged into it and its controller.
  *
- * <p>All mutable state is guarded by the lock given to the constructor (the arena), which is never held while charging, blocking or waking.
+ * <p>All mutable state is guarded by the lock given to the constructor (the arena), which is never held while charging,
+ * blocking or waking.
  */
 public final class MotorDevice implements MotorSocket, MotorRegulation {
     /** Period of the control tick, nanoseconds; the tick comes with the first physics step that is due. */
     public static final long CONTROL_NANOS = 4_000_000;
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double FULL_DUTY = 100;
-    /** Waiting threads look again after this long even if nobody woke them. */
-    private static final long LOOK_AGAIN_NANOS = 100_000_000;
 
     private final int port;
     private final Shaft shaft;
@@ -166,8 +165,9 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     /** Starts a move without charging; for moves of several motors in one command. */
     public void start(MoveRequest request) {
         boolean still;
+        long now = processor.nowNanos();
         synchronized (lock) {
-            regulator.move(request, encoder(), sinceTickMillis());
+            regulator.move(request, encoder(), sinceTickMillis(now));
             still = !regulator.state().moving();
             if (!regulator.drives()) {
                 setBridge(0, true);
@@ -180,19 +180,22 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     @Override public void adjustSpeed(float degreesPerSecond) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
+        long now = processor.nowNanos();
         synchronized (lock) {
             if (regulator.request() != null) {
                 regulator.adjust(degreesPerSecond, regulator.request().accelerationDegreesPerSecondSquared(),
-                        sinceTickMillis());
+                        sinceTickMillis(now));
             }
         }
     }
 
     @Override public void adjustAcceleration(int degreesPerSecondSquared) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
+        long now = processor.nowNanos();
         synchronized (lock) {
             if (regulator.request() != null) {
-                regulator.adjust(regulator.request().speedDegreesPerSecond(), degreesPerSecondSquared, sinceTickMillis());
+                regulator.adjust(regulator.request().speedDegreesPerSecond(), degreesPerSecondSquared,
+                        sinceTickMillis(now));
             }
         }
     }
@@ -210,13 +213,12 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     @Override public void awaitStandstill() {
         processor.charge(Costs.MOTOR_READ_NANOS);
-        while (moving()) {
-            standstill.await(LOOK_AGAIN_NANOS);
-        }
+        standstill.awaitWhile(this::moving);
     }
 
-    private double sinceTickMillis() {
-        return Math.max(0, Math.min(CONTROL_NANOS, processor.nowNanos() - lastTickNanos)) / NANOS_PER_MILLI;
+    /** Guarded by the lock; the clock is read before it is taken, because a live clock has a lock of its own. */
+    private double sinceTickMillis(long nowNanos) {
+        return Math.max(0, Math.min(CONTROL_NANOS, nowNanos - lastTickNanos)) / NANOS_PER_MILLI;
     }
 
     private boolean moving() {

@@ -6,8 +6,8 @@ import brickless.hardware.MoveRequest;
 /**
  * A move as a function of time: speed up, run, slow down, all at one constant acceleration, from any starting velocity.
  *
- * <p>Positions are degrees, velocities degrees per second, in {@code float}, and times whole milliseconds (truncated), as in the original; the
- * golden vectors of the published library pass.
+ * <p>Positions are degrees, velocities degrees per second, in {@code float}, and times whole milliseconds (truncated),
+ * as in the original; the golden vectors of the published library pass.
  */
 final class MovePlan {
     private static final float MILLIS = 1000;
@@ -25,7 +25,8 @@ final class MovePlan {
     private final int brakingMillis;
     private final int endMillis;
 
-    private MovePlan(float p, float u, float v, float a1, float a3, float s1, float s2, float end, int t1, int t2, int t3, boolean endless) {
+    private MovePlan(float p, float u, float v, float a1, float a3, float s1, float s2, float end, int t1, int t2,
+            int t3, boolean endless) {
         start = p;
         startVelocity = u;
         velocity = v;

@@ -1,17 +1,20 @@
 package brickless.device.motor;
 
+import brickless.hardware.MotorRegulation;
 import brickless.hardware.MoveRequest;
 import brickless.hardware.RegulationState;
 import brickless.hardware.RegulationTuning;
 
 /**
- * The controller of one motor without its clock: told the encoder in each control tick, it answers with a duty. Degrees are those of the
- * hardware frame.
+ * The controller of one motor without its clock: told the encoder in each control tick, it answers with a duty. Degrees
+ * are those of the hardware frame.
  *
  * <p>Guarded by the arena's monitor.
  */
 final class Regulator {
-    /** At the end of a move the controller waits at least and at most this long for the motor to settle, milliseconds. */
+    /**
+     * At the end of a move the controller waits at least and at most this long for the motor to settle, milliseconds.
+     */
     private static final double SETTLE_AT_LEAST = 100;
     private static final double SETTLE_AT_MOST = 500;
     /** Close enough to the target, degrees. */
@@ -70,8 +73,8 @@ final class Regulator {
      *
      * @param newRequest what is wanted
      * @param encoder present count
-     * @param sinceTickMillis time since the last control tick: the move counts from now, not from a tick, so that motors started one after
-     *         the other stay together
+     * @param sinceTickMillis time since the last control tick: the move counts from now, not from a tick, so that
+     *         motors started one after the other stay together
      */
     void move(MoveRequest newRequest, int encoder, double sinceTickMillis) {
         if (!drives()) {
@@ -100,8 +103,10 @@ final class Regulator {
 
     /** Changes speed or acceleration of the running move; ignored in the final deceleration and at rest. */
     void adjust(float speed, int acceleration, double sinceTickMillis) {
-        boolean running = state == RegulationState.START || state == RegulationState.ACCEL || state == RegulationState.MOVE;
-        boolean same = running && request.speedDegreesPerSecond() == speed && request.accelerationDegreesPerSecondSquared() == acceleration;
+        boolean running = state == RegulationState.START || state == RegulationState.ACCEL
+                || state == RegulationState.MOVE;
+        boolean same = running && request.speedDegreesPerSecond() == speed
+                && request.accelerationDegreesPerSecondSquared() == acceleration;
         if (running && !same && request.speedDegreesPerSecond() != 0) {
             move(new MoveRequest(speed, acceleration, request.limitDegrees(), request.hold()), 0, sinceTickMillis);
         }
@@ -180,7 +185,7 @@ final class Regulator {
     void shiftFrame(int degrees) {
         plan.shift(degrees);
         position -= degrees;
-        if (request != null && Math.abs((long) request.limitDegrees()) != brickless.hardware.MotorRegulation.NO_LIMIT) {
+        if (request != null && Math.abs((long) request.limitDegrees()) != MotorRegulation.NO_LIMIT) {
             request = new MoveRequest(request.speedDegreesPerSecond(), request.accelerationDegreesPerSecondSquared(),
                     request.limitDegrees() - degrees, request.hold());
         }

@@ -2,7 +2,10 @@ package brickless.device.motor;
 
 import brickless.hardware.RegulationTuning;
 
-/** The controller that makes a motor follow its model: smoothed error, proportional, differential and integral parts. Duty in percent. */
+/**
+ * The controller that makes a motor follow its model: smoothed error, proportional, differential and integral parts.
+ * Duty in percent.
+ */
 final class TrackingLoop {
     /** Period that gains and smoothing are meant for, milliseconds. */
     static final double PERIOD_MILLIS = 4;

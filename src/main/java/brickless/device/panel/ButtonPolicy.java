@@ -5,8 +5,9 @@ import java.util.OptionalLong;
 import java.util.function.BooleanSupplier;
 
 /**
- * Presses keys for a program that waits for one while nobody is there: a wait that has lasted a second gets a press of 200 ms; repeated
- * waits cycle ENTER, RIGHT, LEFT, DOWN, UP, never ESCAPE. Guarded by the simulation's thread: only {@link #step} touches it.
+ * Presses keys for a program that waits for one while nobody is there: a wait that has lasted a second gets a press of
+ * 200 ms; repeated waits cycle ENTER, RIGHT, LEFT, DOWN, UP, never ESCAPE. Guarded by the simulation's thread: only
+ * {@link #step} touches it.
  */
 public final class ButtonPolicy {
     /** How long a wait must last before it is answered, in nanoseconds. */
@@ -43,7 +44,8 @@ public final class ButtonPolicy {
             return;
         }
         OptionalLong since = keys.waitingSince();
-        if (since.isPresent() && nowNanos - since.getAsLong() >= PATIENCE_NANOS && !keyPressesScheduled.getAsBoolean()) {
+        if (since.isPresent() && nowNanos - since.getAsLong() >= PATIENCE_NANOS
+                && !keyPressesScheduled.getAsBoolean()) {
             holding = CYCLE[presses++ % CYCLE.length];
             releaseAtNanos = nowNanos + PRESS_NANOS;
             keys.hold(holding, true, KeyOrigin.POLICY);

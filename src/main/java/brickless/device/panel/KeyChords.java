@@ -1,9 +1,9 @@
 package brickless.device.panel;
 
 /**
- * The two combinations that the brick itself obeys: DOWN with ENTER ends the program, LEFT with RIGHT shows the next layer of the screen.
- * The brick looks for them 5 and 10 times a second, so shorter presses go unseen. Guarded by the simulation's thread: only
- * {@link #step} touches it.
+ * The two combinations that the brick itself obeys: DOWN with ENTER ends the program, LEFT with RIGHT shows the next
+ * layer of the screen. The brick looks for them 5 and 10 times a second, so shorter presses go unseen. Guarded by the
+ * simulation's thread: only {@link #step} touches it.
  */
 public final class KeyChords {
     private static final int DOWN_ENTER = 4 | 2;

@@ -82,8 +82,9 @@ public final class KeyPad implements KeySocket {
     }
 
     /**
-     * Since when a program thread has been doing nothing but wait for a key, in nanoseconds; empty if none waits. Key changes start the
-     * count anew, and so does the program doing anything else between two waits; waiting key listeners do not count.
+     * Since when a program thread has been doing nothing but wait for a key, in nanoseconds; empty if none waits. Key
+     * changes start the count anew, and so does the program doing anything else between two waits; waiting key
+     * listeners do not count.
      */
     public OptionalLong waitingSince() {
         return programWait.since();

@@ -5,8 +5,8 @@ import java.util.OptionalLong;
 /** Keeps account of how long the program has been waiting for a key without doing anything else. */
 final class KeyWait {
     /**
-     * Longest pause between two waits that still counts as one wait. Shorter than any sensor read or drawing, longer than the few clock
-     * reads of a loop around a wait with time-out. Assumption.
+     * Longest pause between two waits that still counts as one wait. Shorter than any sensor read or drawing, longer
+     * than the few clock reads of a loop around a wait with time-out. Assumption.
      */
     static final long BRIDGED_PAUSE_NANOS = 100_000;
 

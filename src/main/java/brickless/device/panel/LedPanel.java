@@ -21,13 +21,13 @@ public final class LedPanel implements LedSocket {
     public void setPattern(int newPattern) {
         processor.charge(PanelCharges.LED_NANOS);
         if (newPattern >= 0 && newPattern < PATTERNS) {
-            show(newPattern);
+            show(newPattern, processor.nowNanos());
         }
     }
 
     /** Switches the LEDs off, as the brick's menu does when a program has ended. */
     public void switchOff() {
-        show(0);
+        show(0, processor.nowNanos());
     }
 
     /** The pattern shown now, 0 (off) to 9. */
@@ -35,10 +35,10 @@ public final class LedPanel implements LedSocket {
         return pattern;
     }
 
-    private synchronized void show(int newPattern) {
+    private synchronized void show(int newPattern, long nowNanos) {
         if (newPattern != pattern) {
             pattern = newPattern;
-            listener.ledChanged(processor.nowNanos(), newPattern);
+            listener.ledChanged(nowNanos, newPattern);
         }
     }
 }

@@ -1,8 +1,9 @@
 package brickless.device.panel;
 
 /**
- * Hears what happens at the brick's front, for the trace and the viewer. Called at the moment of the event on whatever thread caused it;
- * implementations must not block and not call the panel. Times are nanoseconds since the program's start.
+ * Hears what happens at the brick's front, for the trace and the viewer. Called at the moment of the event on whatever
+ * thread caused it; implementations must not block and not call the panel. Times are nanoseconds since the program's
+ * start.
  */
 public interface PanelListener {
     /** A listener that ignores everything. */

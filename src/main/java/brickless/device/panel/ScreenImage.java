@@ -9,8 +9,8 @@ import java.util.zip.Adler32;
 import java.util.zip.CRC32;
 
 /**
- * Pictures of the screen as PNG files: two pixels per dot on the grey-green of the brick's display, with a small margin. The same picture
- * gives the same bytes everywhere.
+ * Pictures of the screen as PNG files: two pixels per dot on the grey-green of the brick's display, with a small
+ * margin. The same picture gives the same bytes everywhere.
  */
 public final class ScreenImage {
     /** Pixels per dot. */
@@ -43,7 +43,8 @@ public final class ScreenImage {
         byte oneBitPerPixel = 1;
         byte indexedColour = 3;
         return new byte[] {
-            0, 0, (byte) (WIDTH >> 8), (byte) WIDTH, 0, 0, (byte) (HEIGHT >> 8), (byte) HEIGHT, oneBitPerPixel, indexedColour, 0, 0, 0
+            0, 0, (byte) (WIDTH >> 8), (byte) WIDTH, 0, 0, (byte) (HEIGHT >> 8), (byte) HEIGHT, oneBitPerPixel,
+                    indexedColour, 0, 0, 0
         };
     }
 

@@ -77,7 +77,10 @@ public final class ScreenPanel implements ScreenSocket {
         compose(processor.nowNanos());
     }
 
-    /** Shows the next layer alone, in the order of their creation, then all together; its name is shown in large letters for 2 s. */
+    /**
+     * Shows the next layer alone, in the order of their creation, then all together; its name is shown in large letters
+     * for 2 s.
+     */
     public synchronized void showNextLayer(long nowNanos) {
         soloIndex = soloIndex + 1 < layers.size() ? soloIndex + 1 : -1;
         layerName = ALL_LAYERS;

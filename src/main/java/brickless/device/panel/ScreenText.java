@@ -6,8 +6,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Reads text back from a picture of the screen, for tests and logs. The screen is taken as the text grid of one font; a cell that holds
- * anything else than a character of that font reads as {@value #UNKNOWN}.
+ * Reads text back from a picture of the screen, for tests and logs. The screen is taken as the text grid of one font; a
+ * cell that holds anything else than a character of that font reads as {@value #UNKNOWN}.
  */
 public final class ScreenText {
     /** Stands for a cell that is no character. */

@@ -20,28 +20,26 @@ public final class Speaker implements SpeakerSocket {
     @Override
     public void tone(int frequencyHertz, int durationMillis, int volumePercent) {
         processor.charge(PanelCharges.SOUND_NANOS);
-        synchronized (this) {
-            listener.toneStarted(start(durationMillis), frequencyHertz, durationMillis, volumePercent);
-        }
+        long now = processor.nowNanos();
+        start(now, durationMillis);
+        listener.toneStarted(now, frequencyHertz, durationMillis, volumePercent);
     }
 
     @Override
     public void sample(String name, int durationMillis, int volumePercent) {
         processor.charge(PanelCharges.SOUND_NANOS);
-        synchronized (this) {
-            listener.sampleStarted(start(durationMillis), name, durationMillis, volumePercent);
-        }
+        long now = processor.nowNanos();
+        start(now, durationMillis);
+        listener.sampleStarted(now, name, durationMillis, volumePercent);
     }
 
     @Override
     public void silence() {
         processor.charge(PanelCharges.SOUND_NANOS);
-        synchronized (this) {
-            long now = processor.nowNanos();
-            if (busyUntilNanos > now) {
-                busyUntilNanos = now;
-                listener.soundStopped(now);
-            }
+        long now = processor.nowNanos();
+        if (playing(now)) {
+            start(now, 0);
+            listener.soundStopped(now);
         }
     }
 
@@ -50,9 +48,7 @@ public final class Speaker implements SpeakerSocket {
         return nowNanos < busyUntilNanos;
     }
 
-    private long start(int durationMillis) {
-        long now = processor.nowNanos();
-        busyUntilNanos = now + durationMillis * NANOS_PER_MILLI;
-        return now;
+    private synchronized void start(long nowNanos, int durationMillis) {
+        busyUntilNanos = nowNanos + durationMillis * NANOS_PER_MILLI;
     }
 }

@@ -19,15 +19,17 @@ final class AnalogPins implements AnalogChannel {
 
     @Override public double pin1Volts() {
         port.charge(Costs.SENSOR_READ_NANOS);
+        long now = port.nowNanos();
         synchronized (port.lock()) {
-            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin1Volts(port.nowNanos()) : REFERENCE_VOLTS);
+            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin1Volts(now) : REFERENCE_VOLTS);
         }
     }
 
     @Override public double pin6Volts() {
         port.charge(Costs.SENSOR_READ_NANOS);
+        long now = port.nowNanos();
         synchronized (port.lock()) {
-            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin6Volts(port.nowNanos()) : 0);
+            return quantised(port.sensor() instanceof AnalogSensor sensor ? sensor.pin6Volts(now) : 0);
         }
     }
 
@@ -51,8 +53,9 @@ final class AnalogPins implements AnalogChannel {
 
     @Override public float[] colourVolts() {
         port.charge(Costs.SENSOR_READ_NANOS);
+        long now = port.nowNanos();
         synchronized (port.lock()) {
-            return port.sensor() instanceof AnalogSensor sensor ? sensor.colourVolts(port.nowNanos()) : AnalogSensor.NO_COLOURS;
+            return port.sensor() instanceof AnalogSensor sensor ? sensor.colourVolts(now) : AnalogSensor.NO_COLOURS;
         }
     }
 }

@@ -3,7 +3,7 @@ package brickless.device.sensor;
 import brickless.hardware.SensorSocket.Wiring;
 
 /** A device that answers with a voltage. */
-abstract sealed class AnalogSensor extends SensorModel permits TouchSensor, NxtLightSensor, NxtSoundSensor, NxtColourSensor {
+abstract class AnalogSensor extends SensorModel {
     /** Voltage of an open pin 1: a pull-up in the brick. */
     static final double PULL_UP_VOLTS = 5;
     /** Period of fresh converter values: a noise value lasts this long, nanoseconds. */

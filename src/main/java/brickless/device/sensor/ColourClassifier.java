@@ -1,6 +1,9 @@
 package brickless.device.sensor;
 
-/** Names a colour the way LEGO's sensor does: 0 none, 1 black, 2 blue, 3 green, 4 yellow, 5 red, 6 white, 7 brown. The limits are assumptions. */
+/**
+ * Names a colour the way LEGO's sensor does: 0 none, 1 black, 2 blue, 3 green, 4 yellow, 5 red, 6 white, 7 brown. The
+ * limits are assumptions.
+ */
 final class ColourClassifier {
     static final int NONE = 0;
     static final int BLACK = 1;

@@ -10,10 +10,16 @@ final class ColourSensor extends UartSensor {
     private static final int COLOUR = 2;
     private static final int REFLECT_RAW = 3;
     private static final int RGB = 4;
-    /** Reflected percentage of a perfectly black and of a white floor: assumption, from users' readings (0.03–0.1 and 0.6–0.9). */
+    /**
+     * Reflected percentage of a perfectly black and of a white floor: assumption, from users' readings (0.03–0.1 and
+     * 0.6–0.9).
+     */
     private static final double BLACK_PERCENT = 5;
     private static final double WHITE_PERCENT = 78;
-    /** Largest raw value, and raw values of white paper, per channel: assumption, from users' readings (0.2–0.35 of 1020). */
+    /**
+     * Largest raw value, and raw values of white paper, per channel: assumption, from users' readings (0.2–0.35 of
+     * 1020).
+     */
     private static final int RAW_MAX = 1020;
     private static final double WHITE_RED = 285;
     private static final double WHITE_GREEN = 310;
@@ -30,7 +36,8 @@ final class ColourSensor extends UartSensor {
     private final ColourEye eye;
 
     ColourSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.quick("COL-REFLECT", 1, 1), UartMode.quick("COL-AMBIENT", 1, 1), UartMode.quick("COL-COLOR", 1, 1),
+        super(site, DEVICE, UartMode.quick("COL-REFLECT", 1, 1), UartMode.quick("COL-AMBIENT", 1, 1),
+                UartMode.quick("COL-COLOR", 1, 1),
                 UartMode.quick("REF-RAW", 2, 2), UartMode.quick("RGB-RAW", 3, 2), UartMode.quick("COL-CAL", 4, 2));
         eye = new ColourEye(site);
     }
@@ -60,12 +67,13 @@ final class ColourSensor extends UartSensor {
     }
 
     private int raw(double reflectance, double white, long update, int lane) {
-        double value = white * (BLACK_RETURN + (1 - BLACK_RETURN) * reflectance) + RAW_NOISE * site().noise().bell(update, lane);
-        return clamp(value, RAW_MAX);
+        double clean = white * (BLACK_RETURN + (1 - BLACK_RETURN) * reflectance);
+        return clamp(clean + RAW_NOISE * site().noise().bell(update, lane), RAW_MAX);
     }
 
     private int reflectPercent(long update) {
-        return clamp(BLACK_PERCENT + (WHITE_PERCENT - BLACK_PERCENT) * eye.red() + PERCENT_NOISE * site().noise().bell(update, 0), 100);
+        double clean = BLACK_PERCENT + (WHITE_PERCENT - BLACK_PERCENT) * eye.red();
+        return clamp(clean + PERCENT_NOISE * site().noise().bell(update, 0), 100);
     }
 
     private int ambientPercent(long update) {

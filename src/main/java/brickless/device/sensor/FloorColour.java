@@ -1,5 +1,6 @@
 package brickless.device.sensor;
 
+import brickless.world.Floor;
 import brickless.world.World;
 
 /** What a colour sensor looks down on. */
@@ -14,6 +15,7 @@ public interface FloorColour {
 
     /** The floor of a world: paint upon white, nothing outside the table. */
     static FloorColour of(World world) {
-        return new PaintedFloor(world);
+        Floor floor = new Floor(world);
+        return floor::rgbAt;
     }
 }

@@ -2,7 +2,10 @@ package brickless.device.sensor;
 
 import brickless.units.Angles;
 
-/** EV3 gyro, label up: clockwise positive, as the device sends it. Any change of mode starts the angle at 0 and calibrates the rate. */
+/**
+ * EV3 gyro, label up: clockwise positive, as the device sends it. Any change of mode starts the angle at 0 and
+ * calibrates the rate.
+ */
 final class GyroSensor extends UartSensor {
     private static final int DEVICE = 32;
     /** Period of measurements, nanoseconds. */
@@ -29,7 +32,8 @@ final class GyroSensor extends UartSensor {
     private double lastHeading;
 
     GyroSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.quick("GYRO-ANG", 1, 2), UartMode.quick("GYRO-RATE", 1, 2), UartMode.quick("GYRO-FAS", 1, 2),
+        super(site, DEVICE, UartMode.quick("GYRO-ANG", 1, 2), UartMode.quick("GYRO-RATE", 1, 2),
+                UartMode.quick("GYRO-FAS", 1, 2),
                 UartMode.quick("GYRO-G&A", 2, 2), UartMode.quick("GYRO-CAL", 4, 2));
         scale = 1 + SCALE_ERROR * site.noise().even(0, 7);
         lastHeading = aim().headingRadians;

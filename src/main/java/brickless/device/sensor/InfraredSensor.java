@@ -6,6 +6,7 @@ import brickless.physics.RayHit;
 import brickless.units.Angles;
 import brickless.world.Beacon;
 import brickless.world.Rgb;
+import java.util.Arrays;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
 final class InfraredSensor extends UartSensor {
@@ -38,7 +39,8 @@ final class InfraredSensor extends UartSensor {
     private long lastUpdate = Long.MIN_VALUE;
 
     InfraredSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.slow("IR-PROX", 1, 1), UartMode.slow("IR-SEEK", 8, 1), UartMode.slow("IR-REMOTE", 4, 1),
+        super(site, DEVICE, UartMode.slow("IR-PROX", 1, 1), UartMode.slow("IR-SEEK", 8, 1),
+                UartMode.slow("IR-REMOTE", 4, 1),
                 UartMode.slow("IR-REM-A", 1, 2), UartMode.slow("IR-S-ALT", 4, 1), UartMode.slow("IR-CAL", 2, 2));
     }
 
@@ -75,7 +77,8 @@ final class InfraredSensor extends UartSensor {
         if (nearest > PROXIMITY_REACH) {
             return 100;
         }
-        return (int) Math.max(0, Math.min(100, Math.round(100 * nearest / PROXIMITY_REACH + NOISE * site().noise().bell(update, 0))));
+        return (int) Math.max(0,
+                Math.min(100, Math.round(100 * nearest / PROXIMITY_REACH + NOISE * site().noise().bell(update, 0))));
     }
 
     private double darkness() {
@@ -128,7 +131,7 @@ final class InfraredSensor extends UartSensor {
                     out[channel] = (byte) site().remote().code(channel);
                 }
             }
-            default -> java.util.Arrays.fill(out, 0, mode(mode()).bytes(), (byte) 0);
+            default -> Arrays.fill(out, 0, mode(mode()).bytes(), (byte) 0);
         }
     }
 }

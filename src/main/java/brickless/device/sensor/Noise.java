@@ -1,8 +1,8 @@
 package brickless.device.sensor;
 
 /**
- * Seeded noise as a function of an update number, so that reading a sensor more often, or not at all, changes no value. Integer
- * arithmetic only (the finaliser of SplitMix64): the same on every machine.
+ * Seeded noise as a function of an update number, so that reading a sensor more often, or not at all, changes no value.
+ * Integer arithmetic only (the finaliser of SplitMix64): the same on every machine.
  */
 final class Noise {
     /** No noise at all. */

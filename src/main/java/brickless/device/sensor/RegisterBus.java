@@ -15,18 +15,20 @@ final class RegisterBus implements I2cChannel {
         // The models answer at any speed and need no supply.
     }
 
-    @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset,
+    @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read,
+            int readOffset,
             int readLength) {
         port.occupy(Costs.I2C_TRANSACTION_NANOS);
+        long now = port.nowNanos();
         synchronized (port.lock()) {
-            if (!(port.sensor() instanceof NxtUltrasonicSensor sensor) || address != NxtUltrasonicSensor.ADDRESS) {
+            if (!(port.sensor() instanceof RegisterSensor sensor) || address != sensor.address()) {
                 return Status.NO_ANSWER;
             }
             if (writeLength > 0) {
-                sensor.write(write, writeOffset, writeLength, port.nowNanos());
+                sensor.write(write, writeOffset, writeLength, now);
             }
             if (readLength > 0) {
-                sensor.read(writeLength > 0 ? write[writeOffset] & 0xff : 0, read, readOffset, readLength);
+                sensor.read(writeLength > 0 ? write[writeOffset] & 0xff : 0, read, readOffset, readLength, now);
             }
             return Status.OK;
         }

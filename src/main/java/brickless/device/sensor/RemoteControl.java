@@ -13,7 +13,8 @@ public final class RemoteControl {
      */
     public void press(int channel, int code) {
         if (channel < 1 || channel > CHANNELS || code < 0 || code > 11) {
-            throw new IllegalArgumentException("remote channel is 1 to 4 and code 0 to 11, not " + channel + ", " + code);
+            throw new IllegalArgumentException("remote channel is 1 to 4 and code 0 to 11, not " + channel + ", "
+                    + code);
         }
         codes[channel - 1] = code;
     }

@@ -4,8 +4,13 @@ import brickless.hardware.SensorSocket.Wiring;
 import brickless.physics.Aim;
 import brickless.world.SensorType;
 
-/** A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step. */
-abstract sealed class SensorModel permits AnalogSensor, UartSensor, NxtUltrasonicSensor {
+/**
+ * A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step.
+ *
+ * <p>A new device is one class that extends {@link AnalogSensor}, {@link UartSensor} or {@link RegisterSensor}, named in {@link SensorType}
+ * and in {@link #of}.
+ */
+abstract class SensorModel {
     private final SensorSite site;
 
     SensorModel(SensorSite site) {
@@ -44,7 +49,10 @@ abstract sealed class SensorModel permits AnalogSensor, UartSensor, NxtUltrasoni
     /** LEGO's number of the device. */
     abstract int deviceType();
 
-    /** What it sends in its present mode, in the device's own units, for traces; empty while it sends nothing. Changes nothing. */
+    /**
+     * What it sends in its present mode, in the device's own units, for traces; empty while it sends nothing. Changes
+     * nothing.
+     */
     abstract double[] reading(long nowNanos);
 
     /** Follows the arena; called after every step. */

@@ -8,6 +8,7 @@ import brickless.kernel.Processor;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.SensorType;
+import java.util.function.Function;
 
 /**
  * An input port: the socket that programs use and the sensor plugged into it.
@@ -39,7 +40,8 @@ public final class SensorPortDevice implements SensorSocket {
      * @param processor charged for calls
      * @param fitting told about expected sensors
      */
-    public SensorPortDevice(int port, RobotBody robot, Surroundings surroundings, RemoteControl remote, Processor processor,
+    public SensorPortDevice(int port, RobotBody robot, Surroundings surroundings, RemoteControl remote,
+            Processor processor,
             SensorFitting fitting) {
         this.port = port;
         this.robot = robot;
@@ -55,13 +57,20 @@ public final class SensorPortDevice implements SensorSocket {
         return port;
     }
 
-    /** Plugs a sensor in, replacing what was there; null empties the port. The mount's own port number is not looked at. */
+    /**
+     * Plugs a sensor in, replacing what was there; null empties the port. The mount's own port number is not looked at.
+     */
     public void plug(SensorMount mount) {
+        plug(mount, SensorModel::of);
+    }
+
+    /** Plugs in the device that {@code device} makes for its place. */
+    void plug(SensorMount mount, Function<SensorSite, SensorModel> device) {
         synchronized (lock()) {
             if (sensor != null) {
                 sensor.powerOff();
             }
-            sensor = mount == null ? null : SensorModel.of(new SensorSite(robot, mount, surroundings, remote));
+            sensor = mount == null ? null : device.apply(new SensorSite(robot, mount, surroundings, remote));
         }
     }
 
@@ -92,8 +101,8 @@ public final class SensorPortDevice implements SensorSocket {
     }
 
     /**
-     * What the sensor sends in its present mode, for traces: 0 or 1, millimetres, degrees, percent, … as listed in MODELS.md; empty while it
-     * sends nothing. Charges nothing and changes nothing.
+     * What the sensor sends in its present mode, for traces: 0 or 1, millimetres, degrees, percent, … as listed in
+     * MODELS.md; empty while it sends nothing. Charges nothing and changes nothing.
      */
     public double[] reading(long nowNanos) {
         synchronized (lock()) {
@@ -148,6 +157,7 @@ public final class SensorPortDevice implements SensorSocket {
         return sensor;
     }
 
+    /** The time; not to be asked under the lock, because a live clock has a lock of its own. */
     long nowNanos() {
         return processor.nowNanos();
     }

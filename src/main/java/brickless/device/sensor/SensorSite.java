@@ -6,7 +6,10 @@ import brickless.world.RobotModel.SensorMount;
 
 /** Where a sensor is mounted, what is around it, and its own noise. */
 final class SensorSite {
-    /** Sound and infrared spread downwards: an obstacle is met if it reaches this close to the sensor's height, metres: assumption. */
+    /**
+     * Sound and infrared spread downwards: an obstacle is met if it reaches this close to the sensor's height, metres:
+     * assumption.
+     */
     private static final double BEAM_BELOW = 0.02;
 
     private final RobotBody robot;

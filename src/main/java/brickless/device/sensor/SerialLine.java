@@ -38,8 +38,9 @@ final class SerialLine implements UartChannel {
         } else {
             return true;
         }
+        long now = port.nowNanos();
         synchronized (port.lock()) {
-            sensor.select(mode, port.nowNanos());
+            sensor.select(mode, now);
         }
         return true;
     }
@@ -51,11 +52,12 @@ final class SerialLine implements UartChannel {
 
     @Override public int read(byte[] destination, int offset, int length) {
         port.charge(Costs.SENSOR_READ_NANOS);
+        long now = port.nowNanos();
         synchronized (port.lock()) {
             if (!(port.sensor() instanceof UartSensor sensor) || sensor.mode() == UartSensor.DARK) {
                 return 0;
             }
-            sensor.message(port.nowNanos(), message);
+            sensor.message(now, message);
             int count = Math.min(length, sensor.mode(sensor.mode()).bytes());
             System.arraycopy(message, 0, destination, offset, count);
             return count;

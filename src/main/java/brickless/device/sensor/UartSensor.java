@@ -3,7 +3,7 @@ package brickless.device.sensor;
 import brickless.hardware.SensorSocket.Wiring;
 
 /** A self-describing serial device with numbered modes. */
-abstract sealed class UartSensor extends SensorModel permits ColourSensor, UltrasonicSensor, GyroSensor, InfraredSensor {
+abstract class UartSensor extends SensorModel {
     /** Mode before the first selection and after a reset. */
     static final int DARK = -1;
     /** Bytes of the longest message of any device. */

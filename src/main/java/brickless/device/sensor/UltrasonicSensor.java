@@ -30,8 +30,10 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
     private long lastPing = Long.MIN_VALUE;
 
     UltrasonicSensor(SensorSite site) {
-        super(site, DEVICE, UartMode.slow("US-DIST-CM", 1, 2), UartMode.slow("US-DIST-IN", 1, 2), UartMode.slow("US-LISTEN", 1, 1),
-                UartMode.slow("US-SI-CM", 1, 2), UartMode.slow("US-SI-IN", 1, 2), UartMode.slow("US-DC-CM", 1, 2), UartMode.slow("US-DC-IN", 1, 2));
+        super(site, DEVICE, UartMode.slow("US-DIST-CM", 1, 2), UartMode.slow("US-DIST-IN", 1, 2),
+                UartMode.slow("US-LISTEN", 1, 1),
+                UartMode.slow("US-SI-CM", 1, 2), UartMode.slow("US-SI-IN", 1, 2), UartMode.slow("US-DC-CM", 1, 2),
+                        UartMode.slow("US-DC-IN", 1, 2));
     }
 
     private SoundField sound() {
@@ -87,7 +89,8 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
     @Override void message(long nowNanos, byte[] out) {
         switch (mode()) {
             case LISTEN -> out[0] = (byte) (sound().heard(this, aim()) ? 1 : 0);
-            case INCHES, SINGLE_INCHES, CONTINUOUS_INCHES -> putShort(out, 0, (int) Math.round(latest / MM_PER_TENTH_INCH));
+            case INCHES, SINGLE_INCHES,
+                    CONTINUOUS_INCHES -> putShort(out, 0, (int) Math.round(latest / MM_PER_TENTH_INCH));
             default -> putShort(out, 0, latest);
         }
     }

@@ -1,6 +1,9 @@
 package brickless.kernel.hooks;
 
-/** The kernel's access to a robot's own budget and call-depth counters, which live in static fields so that rewritten code reaches them fast. */
+/**
+ * The kernel's access to a robot's own budget and call-depth counters, which live in static fields so that rewritten
+ * code reaches them fast.
+ */
 public interface Budget {
     /** Nanoseconds left before the kernel must be entered; may be negative. */
     int left();

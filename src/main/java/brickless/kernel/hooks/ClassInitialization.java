@@ -7,8 +7,8 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 
 /**
- * Class initialisation on fibres (JLS 12.4.2). A static initialiser that may block is renamed by the loader and run from here, so that it
- * is an ordinary Java frame that can be switched away. Per robot.
+ * Class initialisation on fibres (JLS 12.4.2). A static initialiser that may block is renamed by the loader and run
+ * from here, so that it is an ordinary Java frame that can be switched away. Per robot.
  */
 public final class ClassInitialization {
     /** Renamed {@code <clinit>}. */
@@ -48,7 +48,9 @@ public final class ClassInitialization {
         return true;
     }
 
-    /** Initialises a class that is about to be used by reflection, and its superclasses; does nothing for other classes. */
+    /**
+     * Initialises a class that is about to be used by reflection, and its superclasses; does nothing for other classes.
+     */
     public static void initializeForReflection(Class<?> type) {
         if (type.getClassLoader() == ClassInitialization.class.getClassLoader() && !type.isInterface()) {
             callIfPresent(type, TRIGGER);

@@ -10,11 +10,16 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.Spliterator;
+import java.util.function.BinaryOperator;
+import java.util.function.Function;
 import java.util.stream.BaseStream;
+import java.util.stream.Collector;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
@@ -22,23 +27,27 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 
 /**
- * Collections and streams of rewritten code: {@code Set.of} and {@code Map.of} in the order given, where the JDK's order changes with every
- * start of the JVM; parallel streams on the calling thread, because the host's worker threads know nothing of virtual time. Per robot.
+ * Collections and streams of rewritten code: {@code Set.of} and {@code Map.of} in the order given, where the JDK's
+ * order changes with every start of the JVM; parallel streams on the calling thread, because the host's worker threads
+ * know nothing of virtual time. Per robot.
  */
 public final class CollectionHooks {
     private CollectionHooks() {}
 
     /**
-     * Bootstrap method of a call such as {@code Set.of(a, b, c)}: collects the arguments for {@link #setOf} or {@link #mapOf}.
+     * Bootstrap method of a call such as {@code Set.of(a, b, c)}: collects the arguments for {@link #setOf} or
+     * {@link #mapOf}.
      *
      * @param name the method here that takes them as an array
      * @param type of the call
      */
-    public static CallSite collecting(MethodHandles.Lookup lookup, String name, MethodType type) throws ReflectiveOperationException {
+    public static CallSite collecting(MethodHandles.Lookup lookup, String name, MethodType type)
+            throws ReflectiveOperationException {
         MethodType collected = MethodType.methodType(type.returnType(), Object[].class);
         MethodHandle target = MethodHandles.lookup().findStatic(CollectionHooks.class, name, collected);
         boolean isArrayAlready = type.equals(collected);
-        return new ConstantCallSite(isArrayAlready ? target : target.asCollector(Object[].class, type.parameterCount()).asType(type));
+        return new ConstantCallSite(isArrayAlready ? target
+                : target.asCollector(Object[].class, type.parameterCount()).asType(type));
     }
 
     /** {@code Set.of(elements)}. */
@@ -90,6 +99,37 @@ public final class CollectionHooks {
         if (map.put(Objects.requireNonNull(key), Objects.requireNonNull(value)) != null) {
             throw new IllegalArgumentException("duplicate key: " + TextHooks.text(key));
         }
+    }
+
+    /** {@code Collectors.toSet()}. */
+    public static <T> Collector<T, ?, ?> toSet() {
+        return Collectors.toCollection(() -> new ProgramHashSet<T>());
+    }
+
+    /** {@code Collectors.groupingBy(key)}. */
+    public static <T, K> Collector<T, ?, ?> groupingBy(Function<T, K> key) {
+        return Collectors.groupingBy(key, () -> new ProgramHashMap<K, List<T>>(), Collectors.toList());
+    }
+
+    /** {@code Collectors.groupingBy(key, downstream)}. */
+    public static <T, K, D> Collector<T, ?, ?> groupingBy(Function<T, K> key, Collector<T, ?, D> downstream) {
+        return Collectors.groupingBy(key, () -> new ProgramHashMap<K, D>(), downstream);
+    }
+
+    /** {@code Collectors.toMap(key, value)}. */
+    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value) {
+        return Collectors.toMap(key, value, CollectionHooks::refuseDuplicate, () -> new ProgramHashMap<K, V>());
+    }
+
+    private static <V> V refuseDuplicate(V first, V second) {
+        throw new IllegalStateException("Duplicate key (attempted merging values " + TextHooks.text(first) + " and "
+                + TextHooks.text(second) + ")");
+    }
+
+    /** {@code Collectors.toMap(key, value, merging)}. */
+    public static <T, K, V> Collector<T, ?, ?> toMap(Function<T, K> key, Function<T, V> value,
+            BinaryOperator<V> merging) {
+        return Collectors.toMap(key, value, merging, () -> new ProgramHashMap<K, V>());
     }
 
     /** {@code collection.parallelStream()}. */

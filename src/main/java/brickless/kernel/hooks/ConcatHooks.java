@@ -8,7 +8,10 @@ import java.lang.invoke.MethodType;
 import java.lang.invoke.StringConcatException;
 import java.lang.invoke.StringConcatFactory;
 
-/** Bootstrap methods for {@code "a" + b} in rewritten code: the JDK's, with arguments whose text differs between JDKs converted first. Per robot. */
+/**
+ * Bootstrap methods for {@code "a" + b} in rewritten code: the JDK's, with arguments whose text differs between JDKs
+ * converted first. Per robot.
+ */
 public final class ConcatHooks {
     private static final MethodHandle OBJECT = converter(Object.class);
     private static final MethodHandle DOUBLE = converter(double.class);
@@ -17,19 +20,23 @@ public final class ConcatHooks {
     private ConcatHooks() {}
 
     /** Like {@link StringConcatFactory#makeConcat}. */
-    public static CallSite makeConcat(MethodHandles.Lookup lookup, String name, MethodType type) throws StringConcatException {
+    public static CallSite makeConcat(MethodHandles.Lookup lookup, String name, MethodType type)
+            throws StringConcatException {
         return converting(StringConcatFactory.makeConcat(lookup, name, converted(type)), type);
     }
 
     /** Like {@link StringConcatFactory#makeConcatWithConstants}. */
-    public static CallSite makeConcatWithConstants(MethodHandles.Lookup lookup, String name, MethodType type, String recipe,
+    public static CallSite makeConcatWithConstants(MethodHandles.Lookup lookup, String name, MethodType type,
+            String recipe,
             Object... constants) throws StringConcatException {
-        return converting(StringConcatFactory.makeConcatWithConstants(lookup, name, converted(type), recipe, constants), type);
+        return converting(StringConcatFactory.makeConcatWithConstants(lookup, name, converted(type), recipe,
+                constants), type);
     }
 
     private static MethodHandle converter(Class<?> argument) {
         try {
-            return MethodHandles.lookup().findStatic(TextHooks.class, "text", MethodType.methodType(String.class, argument));
+            return MethodHandles.lookup().findStatic(TextHooks.class, "text",
+                    MethodType.methodType(String.class, argument));
         } catch (ReflectiveOperationException broken) {
             throw new ExceptionInInitializerError(broken);
         }

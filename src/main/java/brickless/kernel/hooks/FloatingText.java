@@ -5,8 +5,9 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Text of doubles and floats as {@link Double#toString(double)} specifies it since JDK 19: the shortest decimal that reads back as the same
- * number, the closest one among those. Older JDKs sometimes print a digit more, so programs get this text on every JDK. Shared.
+ * Text of doubles and floats as {@link Double#toString(double)} specifies it since JDK 19: the shortest decimal that
+ * reads back as the same number, the closest one among those. Older JDKs sometimes print a digit more, so programs get
+ * this text on every JDK. Shared.
  */
 public final class FloatingText {
     private static final boolean JDK_IS_SHORTEST = Runtime.version().feature() >= 19;
@@ -73,7 +74,10 @@ public final class FloatingText {
         return best;
     }
 
-    /** The decimal of {@code length} digits closest to {@code exact} that reads back as the number; null if there is none. */
+    /**
+     * The decimal of {@code length} digits closest to {@code exact} that reads back as the number; null if there is
+     * none.
+     */
     private static BigDecimal closest(BigDecimal exact, int length, Reading reading) {
         BigDecimal nearest = exact.round(new MathContext(length, RoundingMode.HALF_EVEN));
         if (reading.isSame(nearest)) {
@@ -99,7 +103,8 @@ public final class FloatingText {
         if (exponent >= SMALLEST_PLAIN_EXPONENT && exponent <= LARGEST_PLAIN_EXPONENT) {
             plain(text, digits, exponent);
         } else {
-            text.append(digits.charAt(0)).append('.').append(digits.length() > 1 ? digits.substring(1) : "0").append('E').append(exponent);
+            text.append(digits.charAt(0)).append('.').append(digits.length() > 1 ? digits.substring(1) : "0")
+                    .append('E').append(exponent);
         }
         return text.toString();
     }

@@ -3,20 +3,26 @@ package brickless.kernel.hooks;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.math.BigDecimal;
+import java.util.ArrayList;
 import java.util.Formattable;
+import java.util.List;
 import java.util.Locale;
+import java.util.MissingFormatArgumentException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * {@code String.format} and its relatives in rewritten code: in English unless a locale is given, lines end in {@code \n}, and numbers are
- * rounded from their shortest decimal, as JDK 21 and later do it. Per robot.
+ * {@code String.format} and its relatives in rewritten code: in English unless a locale is given, lines end in
+ * {@code \n}, and numbers are rounded from their shortest decimal, as JDK 21 and later do it. Per robot.
  */
 public final class FormatHooks {
     /** Index, flags, width, precision, conversion with its date prefix. */
-    private static final Pattern SPECIFIER = Pattern.compile("%(\\d+\\$)?([-#+ 0,(<]*)(\\d+)?(\\.\\d+)?([tT]?[a-zA-Z%])");
+    private static final Pattern SPECIFIER =
+            Pattern.compile("%(\\d+\\$)?([-#+ 0,(<]*)(\\d+)?(\\.\\d+)?([tT]?[a-zA-Z%])");
     private static final int INDEX = 1;
     private static final int FLAGS = 2;
+    private static final int WIDTH = 3;
+    private static final int PRECISION = 4;
     private static final int CONVERSION = 5;
 
     private FormatHooks() {}
@@ -28,7 +34,47 @@ public final class FormatHooks {
 
     /** {@code String.format(locale, format, arguments)}. */
     public static String format(Locale locale, String format, Object[] arguments) {
-        return String.format(locale, withPlainLineEnds(format), converted(format, arguments));
+        Matcher specifier = SPECIFIER.matcher(format);
+        StringBuilder indexed = new StringBuilder();
+        List<Object> converted = new ArrayList<>();
+        int ordinary = 0;
+        int used = -1;
+        while (specifier.find()) {
+            String conversion = specifier.group(CONVERSION);
+            if ("n".equals(conversion) || "%".equals(conversion)) {
+                String text = "n".equals(conversion) ? "\n" : specifier.group();
+                specifier.appendReplacement(indexed, Matcher.quoteReplacement(text));
+                continue;
+            }
+            if (specifier.group(INDEX) != null) {
+                used = Integer.parseInt(specifier.group(INDEX).replace("$", "")) - 1;
+            } else if (specifier.group(FLAGS).indexOf('<') < 0) {
+                used = ordinary++;
+            }
+            converted.add(converted(conversion, argument(arguments, used, specifier.group())));
+            specifier.appendReplacement(indexed, Matcher.quoteReplacement(indexed(specifier, converted.size())));
+        }
+        return String.format(locale, specifier.appendTail(indexed).toString(), converted.toArray());
+    }
+
+    private static Object argument(Object[] arguments, int index, String specifier) {
+        if (arguments == null) {
+            return null;
+        }
+        if (index < 0 || index >= arguments.length) {
+            throw new MissingFormatArgumentException(specifier);
+        }
+        return arguments[index];
+    }
+
+    /** The specifier with an index of its own, so that every use of an argument can have the form that it needs. */
+    private static String indexed(Matcher specifier, int index) {
+        return "%" + index + "$" + specifier.group(FLAGS).replace("<", "") + orEmpty(specifier.group(WIDTH))
+                + orEmpty(specifier.group(PRECISION)) + specifier.group(CONVERSION);
+    }
+
+    private static String orEmpty(String part) {
+        return part == null ? "" : part;
     }
 
     /** {@code stream.printf(format, arguments)} and {@code stream.format}. */
@@ -55,52 +101,15 @@ public final class FormatHooks {
         return writer;
     }
 
-    private static String withPlainLineEnds(String format) {
-        Matcher matcher = SPECIFIER.matcher(format);
-        StringBuilder text = new StringBuilder();
-        while (matcher.find()) {
-            boolean lineEnd = "n".equals(matcher.group(CONVERSION));
-            matcher.appendReplacement(text, lineEnd ? "\n" : Matcher.quoteReplacement(matcher.group()));
-        }
-        return matcher.appendTail(text).toString();
-    }
-
-    /** The arguments with numbers as their conversions need them. An argument that two kinds of conversion use keeps the first one's form. */
-    private static Object[] converted(String format, Object[] arguments) {
-        if (arguments == null) {
-            return null;
-        }
-        Object[] result = arguments.clone();
-        boolean[] seen = new boolean[arguments.length];
-        Matcher matcher = SPECIFIER.matcher(format);
-        int ordinary = 0;
-        int last = -1;
-        while (matcher.find()) {
-            String conversion = matcher.group(CONVERSION);
-            if ("n".equals(conversion) || "%".equals(conversion)) {
-                continue;
-            }
-            if (matcher.group(INDEX) != null) {
-                last = Integer.parseInt(matcher.group(INDEX).replace("$", "")) - 1;
-            } else if (matcher.group(FLAGS).indexOf('<') < 0) {
-                last = ordinary++;
-            }
-            if (last >= 0 && last < result.length && !seen[last]) {
-                seen[last] = true;
-                result[last] = converted(conversion.toLowerCase(Locale.ROOT), result[last]);
-            }
-        }
-        return result;
-    }
-
     private static Object converted(String conversion, Object argument) {
-        switch (conversion) {
+        switch (conversion.toLowerCase(Locale.ROOT)) {
             case "s":
                 return argument == null || argument instanceof Formattable ? argument : TextHooks.text(argument);
             case "f":
             case "e":
             case "g":
-                return argument instanceof Double || argument instanceof Float ? decimal(((Number) argument).doubleValue(), argument) : argument;
+                return argument instanceof Double || argument instanceof Float
+                        ? decimal(((Number) argument).doubleValue(), argument) : argument;
             default:
                 return argument;
         }

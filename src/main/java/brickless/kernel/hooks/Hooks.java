@@ -4,8 +4,8 @@ package brickless.kernel.hooks;
  * The hooks that rewritten loops, calls, allocations and handlers use, and the robot's link to its kernel.
  *
  * <p>Every robot's class loader defines this class anew, so its static fields are per robot. Until {@link #bind} a
- * {@link HostMachine} stands in for the kernel: rewritten classes then behave like plain ones. With a kernel only the running fibre
- * touches these fields; fibres hand over with a happens-before edge, so they need not be volatile.
+ * {@link HostMachine} stands in for the kernel: rewritten classes then behave like plain ones. With a kernel only the
+ * running fibre touches these fields; fibres hand over with a happens-before edge, so they need not be volatile.
  */
 public final class Hooks {
     /** Virtual nanoseconds left before the kernel must be entered. */
@@ -20,7 +20,9 @@ public final class Hooks {
 
     private Hooks() {}
 
-    /** Connects this robot to its kernel before the program's first instruction; null returns to plain JDK behaviour. */
+    /**
+     * Connects this robot to its kernel before the program's first instruction; null returns to plain JDK behaviour.
+     */
     public static Budget bind(VirtualMachine kernel) {
         machine = kernel == null ? new HostMachine() : kernel;
         largestDepth = kernel == null ? Integer.MAX_VALUE : InstructionCharges.LARGEST_CALL_DEPTH;
@@ -33,6 +35,11 @@ public final class Hooks {
     /** The machine that this robot's program runs on. */
     static VirtualMachine machine() {
         return machine;
+    }
+
+    /** Whether a kernel is bound. */
+    static boolean isBound() {
+        return !(machine instanceof HostMachine);
     }
 
     /** A loop goes round, or a lambda body begins. May switch fibres. */
@@ -58,6 +65,7 @@ public final class Hooks {
     public static int enter() {
         int entered = depth + 1;
         if (entered > largestDepth) {
+            machine.charge(InstructionCharges.STACK_OVERFLOW_NANOS);
             throw new StackOverflowError();
         }
         depth = entered;
@@ -67,7 +75,10 @@ public final class Hooks {
         return entered;
     }
 
-    /** An exception handler that could swallow anything begins: lets {@link ProgramKilled} pass while the program is being ended. */
+    /**
+     * An exception handler that could swallow anything begins: lets {@link ProgramKilled} pass while the program is
+     * being ended.
+     */
     public static void kill(Throwable caught) {
         if (caught instanceof ProgramKilled && machine.killing()) {
             throw (ProgramKilled) caught;

@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Stands in for the kernel until one is bound: every hook does what the plain JDK call would have done, on real threads and the wall clock.
- * Per robot.
+ * Stands in for the kernel until one is bound: every hook does what the plain JDK call would have done, on real threads
+ * and the wall clock. Per robot.
  */
 final class HostMachine implements VirtualMachine {
     private static final int FIRST_THREAD_ID = 1;
@@ -116,7 +116,8 @@ final class HostMachine implements VirtualMachine {
         if (clear) {
             return Thread.interrupted();
         }
-        return thread instanceof ProgramThread ? ((ProgramThread) thread).isInterruptedOnHost() : thread.isInterrupted();
+        return thread instanceof ProgramThread ? ((ProgramThread) thread).isInterruptedOnHost()
+                : thread.isInterrupted();
     }
 
     @Override

@@ -6,7 +6,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** Monitors for rewritten code that runs without a kernel, on JDK locks: bytecode's unpaired enter and exit have no Java equivalent. */
+/**
+ * Monitors for rewritten code that runs without a kernel, on JDK locks: bytecode's unpaired enter and exit have no Java
+ * equivalent.
+ */
 final class HostMonitors {
     private final Map<Identity, Monitor> monitors = new HashMap<>();
 

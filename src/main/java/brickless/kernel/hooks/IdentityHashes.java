@@ -24,7 +24,8 @@ public final class IdentityHashes {
         if (object == null) {
             return 0;
         }
-        return object instanceof IdentityHashed ? ((IdentityHashed) object).bricklessIdentityHash() : ofJdkObject(object);
+        return object instanceof IdentityHashed ? ((IdentityHashed) object).bricklessIdentityHash()
+                : ofJdkObject(object);
     }
 
     /** {@code object.hashCode()}, where that would be the host's identity hash: a sequential one. */
@@ -56,6 +57,12 @@ public final class IdentityHashes {
             result = 31 * result + hashCodeOrZero(value);
         }
         return result;
+    }
+
+    /** Whether {@code object.hashCode()} would give what the host drew. */
+    static boolean isHosts(Object object) {
+        return object instanceof Enum || object instanceof Class
+                || !(object instanceof IdentityHashed) && hasIdentityHash(object.getClass());
     }
 
     private static synchronized boolean hasIdentityHash(Class<?> type) {
@@ -96,7 +103,8 @@ public final class IdentityHashes {
 
         @Override
         public boolean equals(Object other) {
-            return this == other || other instanceof WeakIdentity && get() != null && ((WeakIdentity) other).get() == get();
+            return this == other
+                    || other instanceof WeakIdentity && get() != null && ((WeakIdentity) other).get() == get();
         }
     }
 }

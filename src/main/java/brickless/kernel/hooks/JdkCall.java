@@ -27,8 +27,10 @@ public record JdkCall(Kind kind, int firstJdk, int lastJdk, String owner, String
         int jdk = kind.length > 1 ? Integer.parseInt(kind[1]) : 0;
         int dot = words[1].indexOf('.');
         int arguments = words[1].indexOf('(');
-        return new JdkCall(Kind.valueOf(kind[0].toUpperCase(Locale.ROOT)), Math.max(jdk, 0), jdk < 0 ? -jdk : Integer.MAX_VALUE,
-                words[1].substring(0, dot), words[1].substring(dot + 1, arguments), words[1].substring(arguments), words[2]);
+        return new JdkCall(Kind.valueOf(kind[0].toUpperCase(Locale.ROOT)),
+                Math.max(jdk, 0), jdk < 0 ? -jdk : Integer.MAX_VALUE,
+                words[1].substring(0, dot), words[1].substring(dot + 1, arguments), words[1].substring(arguments),
+                words[2]);
     }
 
     /** Name and descriptor, such as {@code sleep(J)V}. */

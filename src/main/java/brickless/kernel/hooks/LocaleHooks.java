@@ -100,6 +100,7 @@ public final class LocaleHooks {
 
     /** A scanner still in the host's language reads English numbers. */
     private static Scanner english(Scanner scanner) {
-        return scanner.locale().equals(Locale.getDefault(Locale.Category.FORMAT)) ? scanner.useLocale(Locale.ENGLISH) : scanner;
+        return scanner.locale().equals(Locale.getDefault(Locale.Category.FORMAT)) ? scanner.useLocale(Locale.ENGLISH)
+                : scanner;
     }
 }

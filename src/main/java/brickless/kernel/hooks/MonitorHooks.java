@@ -46,7 +46,10 @@ public final class MonitorHooks {
         return Hooks.machine().holdsMonitor(nonNull(lock));
     }
 
-    /** Milliseconds and nanoseconds as the JDK's timed waits take them, in nanoseconds; the largest long if that is more. */
+    /**
+     * Milliseconds and nanoseconds as the JDK's timed waits take them, in nanoseconds; the largest long if that is
+     * more.
+     */
     static long nanos(long millis, int nanos) {
         if (millis < 0) {
             throw new IllegalArgumentException("timeout value is negative");

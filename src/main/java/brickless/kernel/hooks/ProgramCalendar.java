@@ -5,7 +5,10 @@ import java.util.GregorianCalendar;
 import java.util.Locale;
 import java.util.TimeZone;
 
-/** What {@code new GregorianCalendar} and {@code Calendar.getInstance} become in a rewritten program: the robot's clock, UTC, English. Per robot. */
+/**
+ * What {@code new GregorianCalendar} and {@code Calendar.getInstance} become in a rewritten program: the robot's clock,
+ * UTC, English. Per robot.
+ */
 public class ProgramCalendar extends GregorianCalendar {
     private static final long serialVersionUID = 1L;
 

@@ -4,7 +4,10 @@ import java.text.DateFormatSymbols;
 import java.text.SimpleDateFormat;
 import java.util.Locale;
 
-/** What {@code new SimpleDateFormat} becomes in a rewritten program: UTC, and English unless the program says otherwise. Per robot. */
+/**
+ * What {@code new SimpleDateFormat} becomes in a rewritten program: UTC, and English unless the program says otherwise.
+ * Per robot.
+ */
 public class ProgramDateFormat extends SimpleDateFormat {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,9 @@
 package brickless.kernel.hooks;
 
-/** What {@code new InheritableThreadLocal} and {@code extends InheritableThreadLocal} become in a rewritten program: values live in the program thread. Per robot. */
+/**
+ * What {@code new InheritableThreadLocal} and {@code extends InheritableThreadLocal} become in a rewritten program:
+ * values live in the program thread. Per robot.
+ */
 public class ProgramInheritableThreadLocal<T> extends InheritableThreadLocal<T> {
     @Override
     @SuppressWarnings("unchecked")

@@ -1,6 +1,8 @@
 package brickless.kernel.hooks;
 
-/** Thrown out of every kernel entry once the program is being ended; rewritten handlers let it pass. Has no stack trace. */
+/**
+ * Thrown out of every kernel entry once the program is being ended; rewritten handlers let it pass. Has no stack trace.
+ */
 public final class ProgramKilled extends Error {
     private static final long serialVersionUID = 1L;
 

@@ -1,9 +1,11 @@
 package brickless.kernel.hooks;
 
 /**
- * What {@code new Thread} and {@code extends Thread} become in a rewritten program: a thread object whose fibre the kernel runs.
+ * What {@code new Thread} and {@code extends Thread} become in a rewritten program: a thread object whose fibre the
+ * kernel runs.
  *
- * <p>It is never started as a JDK thread unless no kernel is bound. Names, ids and hash codes count up per robot. Per robot.
+ * <p>It is never started as a JDK thread unless no kernel is bound. Names, ids and hash codes count up per robot. Per
+ * robot.
  */
 public class ProgramThread extends Thread implements IdentityHashed {
     private final long id = Hooks.machine().nextThreadId();

@@ -3,7 +3,10 @@ package brickless.kernel.hooks;
 import java.util.Objects;
 import java.util.function.Supplier;
 
-/** What {@code new ThreadLocal} and {@code extends ThreadLocal} become in a rewritten program: values live in the program thread. Per robot. */
+/**
+ * What {@code new ThreadLocal} and {@code extends ThreadLocal} become in a rewritten program: values live in the
+ * program thread. Per robot.
+ */
 public class ProgramThreadLocal<T> extends ThreadLocal<T> {
     @Override
     @SuppressWarnings("unchecked")

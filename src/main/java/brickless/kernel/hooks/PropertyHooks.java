@@ -6,11 +6,13 @@ import java.util.Properties;
 /** System properties and environment of rewritten code: those of a brick, never the host's. Per robot. */
 public final class PropertyHooks {
     private static final String[] BRICK = {
+        "os.name", "Linux", "os.arch", "arm", "os.version", "3.0.0",
         "file.encoding", "UTF-8", "file.separator", "/", "path.separator", ":", "line.separator", "\n",
-        "java.io.tmpdir", "/tmp", "java.version", "1.8.0", "java.specification.version", "1.8", "java.class.version", "52.0",
-        "java.vendor", "Brickless", "java.vm.name", "Brickless virtual EV3", "java.home", "/home/root/lejos/ejre", "java.class.path", ".",
-        "os.name", "Linux", "os.arch", "arm", "os.version", "3.0.0", "user.name", "root", "user.home", "/home/root",
-        "user.dir", "/home/lejos/programs", "user.language", "en", "user.timezone", "UTC",
+        "java.version", "1.8.0", "java.specification.version", "1.8", "java.class.version", "52.0",
+        "java.vendor", "Brickless", "java.vm.name", "Brickless virtual EV3",
+        "java.home", "/home/root/lejos/ejre", "java.class.path", ".", "java.io.tmpdir", "/tmp",
+        "user.name", "root", "user.home", "/home/root", "user.dir", "/home/lejos/programs",
+        "user.language", "en", "user.timezone", "UTC",
     };
     private static final Map<String, String> ENVIRONMENT = Map.of("HOME", "/home/root");
     private static Properties properties = brickProperties();

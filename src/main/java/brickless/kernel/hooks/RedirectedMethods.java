@@ -12,7 +12,8 @@ final class RedirectedMethods {
         if (method.getDeclaringClass().getClassLoader() != null) {
             return null;
         }
-        String descriptor = MethodType.methodType(method.getReturnType(), method.getParameterTypes()).toMethodDescriptorString();
+        String descriptor = MethodType.methodType(method.getReturnType(), method.getParameterTypes())
+                .toMethodDescriptorString();
         String owner = method.getDeclaringClass().getName().replace('.', '/');
         for (JdkCall call : JdkCalls.withSignature(method.getName(), descriptor)) {
             if (call.owner().equals(owner) && isCallable(call.kind())) {
@@ -29,8 +30,10 @@ final class RedirectedMethods {
     private static Method find(JdkCall call) {
         ClassLoader loader = RedirectedMethods.class.getClassLoader();
         try {
-            Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.hookDescriptor(), loader).parameterArray();
-            return Class.forName(call.hookOwner().replace('/', '.'), true, loader).getMethod(call.hookName(), parameters);
+            Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.hookDescriptor(), loader)
+                    .parameterArray();
+            return Class.forName(call.hookOwner().replace('/', '.'), true, loader)
+                    .getMethod(call.hookName(), parameters);
         } catch (ReflectiveOperationException broken) {
             throw new LinkageError("hook of " + call, broken);
         }

@@ -8,8 +8,9 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 
 /**
- * Reflection of rewritten code: classes are initialised on fibres first, and methods that rewriting redirects are redirected here too.
- * Access checks are more permissive than the JDK's, because the caller seen is this class. Per robot.
+ * Reflection of rewritten code: classes are initialised on fibres first, and methods that rewriting redirects are
+ * redirected here too. Access checks are more permissive than the JDK's, because the caller seen is this class. Per
+ * robot.
  */
 public final class ReflectionHooks {
     private ReflectionHooks() {}
@@ -48,10 +49,12 @@ public final class ReflectionHooks {
     }
 
     /** {@code method.invoke(receiver, arguments)}. */
-    public static Object invoke(Method method, Object receiver, Object[] arguments) throws IllegalAccessException, InvocationTargetException {
+    public static Object invoke(Method method, Object receiver, Object[] arguments)
+            throws IllegalAccessException, InvocationTargetException {
         Method hook = RedirectedMethods.hookFor(method);
         if (hook != null) {
-            return hook.invoke(null, Modifier.isStatic(method.getModifiers()) ? arguments : withReceiver(receiver, arguments));
+            return hook.invoke(null, Modifier.isStatic(method.getModifiers()) ? arguments
+                    : withReceiver(receiver, arguments));
         }
         ClassInitialization.initializeForReflection(method.getDeclaringClass());
         makeAccessible(method, method.getDeclaringClass());

@@ -109,7 +109,7 @@ public final class TextHooks {
     }
 
     private static boolean hasJdkText(Class<?> type) {
-        if (type.getClassLoader() != null && !type.getName().startsWith("brickless.concurrent.")) {
+        if (type.getClassLoader() != null && !type.getName().startsWith("brickless.")) {
             return false;
         }
         try {

@@ -5,8 +5,9 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * The thread-local values of one program thread, kept in its {@link ProgramThread}: several fibres may share one JDK thread, and values
- * left in a JDK thread would keep the program's classes alive. Per robot; used by the owning fibre only.
+ * The thread-local values of one program thread, kept in its {@link ProgramThread}: several fibres may share one JDK
+ * thread, and values left in a JDK thread would keep the program's classes alive. Per robot; used by the owning fibre
+ * only.
  */
 final class ThreadLocalValues {
     private final Map<ThreadLocal<?>, Object> values = new IdentityHashMap<>();

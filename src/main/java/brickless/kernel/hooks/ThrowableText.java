@@ -7,12 +7,13 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Exceptions in program terms: no frames of the simulator or of the running JDK, whose names and lines differ between versions, and no
- * loader identities in messages. Shared; the kernel uses it for uncaught exceptions and dumps.
+ * Exceptions in program terms: no frames of the simulator or of the running JDK, whose names and lines differ between
+ * versions, and no loader identities in messages. Shared; the kernel uses it for uncaught exceptions and dumps.
  */
 public final class ThrowableText {
-    private static final String[] HIDDEN = {"java.", "javax.", "jdk.", "sun.", "com.sun.", "brickless.kernel.", "brickless.loading.",
-        "brickless.concurrent.", "brickless.simulation."};
+    private static final String[] HIDDEN =
+            {"java.", "javax.", "jdk.", "sun.", "com.sun.", "brickless.kernel.", "brickless.loading.",
+        "brickless.concurrent.", "brickless.simulation.", "lejos.internal."};
     private static final String INITIALISER = "$clinit$";
     private static final String INITIALISER_TRIGGER = "$init";
 
@@ -24,7 +25,8 @@ public final class ThrowableText {
         for (StackTraceElement frame : frames) {
             if (isOfProgram(frame)) {
                 String method = INITIALISER.equals(frame.getMethodName()) ? "<clinit>" : frame.getMethodName();
-                kept.add(new StackTraceElement(frame.getClassName(), method, frame.getFileName(), frame.getLineNumber()));
+                kept.add(new StackTraceElement(frame.getClassName(), method, frame.getFileName(),
+                        frame.getLineNumber()));
             }
         }
         return kept.toArray(new StackTraceElement[0]);
@@ -50,7 +52,8 @@ public final class ThrowableText {
     }
 
     private static String withoutLoaderIdentity(String text) {
-        return text == null || text.indexOf('@') < 0 ? text : text.replaceAll("(loader '[^']*'|loader [\\w.$]+) @[0-9a-f]+", "$1");
+        return text == null || text.indexOf('@') < 0 ? text
+                : text.replaceAll("(loader '[^']*'|loader [\\w.$]+) @[0-9a-f]+", "$1");
     }
 
     /** The whole trace, causes included, in the JDK's layout, lines ended by {@code \n}. */
@@ -60,7 +63,8 @@ public final class ThrowableText {
         return text.toString();
     }
 
-    private static void append(StringBuilder text, Throwable failure, String caption, String indent, Set<Throwable> shown) {
+    private static void append(StringBuilder text, Throwable failure, String caption, String indent,
+            Set<Throwable> shown) {
         if (!shown.add(failure)) {
             text.append(indent).append(caption).append("[CIRCULAR REFERENCE: ").append(summary(failure)).append("]\n");
             return;

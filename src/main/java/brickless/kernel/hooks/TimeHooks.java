@@ -16,7 +16,8 @@ import java.util.TimeZone;
 /** Dates and times of rewritten code: the robot's clock in UTC. Per robot. */
 public final class TimeHooks {
     private static final String[] DAYS = {"Thu", "Fri", "Sat", "Sun", "Mon", "Tue", "Wed"};
-    private static final String[] MONTHS = {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    private static final String[] MONTHS =
+            {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
     private static final int DAYS_A_WEEK = 7;
 
     private TimeHooks() {}

@@ -6,8 +6,8 @@ import java.io.PrintStream;
 /**
  * What rewritten bytecode needs from the kernel of its robot. The kernel implements it; {@link Hooks} calls it.
  *
- * <p>Only the running fibre calls these methods. Times are virtual nanoseconds. Every method that can switch fibres, and none other, may
- * throw {@link ProgramKilled}.
+ * <p>Only the running fibre calls these methods. Times are virtual nanoseconds. Every method that can switch fibres,
+ * and none other, may throw {@link ProgramKilled}.
  */
 public interface VirtualMachine {
     /** The budget ran out: settle the clock, run due events, switch fibre if the slice is over. */

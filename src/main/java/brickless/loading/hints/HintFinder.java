@@ -73,7 +73,7 @@ public final class HintFinder {
         try {
             return new Analyzer<>(interpreter).analyze(type.name, method);
         } catch (AnalyzerException cannotBeFollowed) {
-            @SuppressWarnings("unchecked") Frame<Clue>[] none = new Frame[method.instructions.size()];
+            @SuppressWarnings({"unchecked", "rawtypes"}) Frame<Clue>[] none = new Frame[method.instructions.size()];
             return none;
         }
     }

@@ -15,12 +15,15 @@ import java.util.List;
  * @param budget what it may still cost
  */
 record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double tolerance, PointBudget budget) {
+    /** Rings thinner than this have no inside. */
+    private static final double FLAT_METRES = 1e-9;
+
     /** Closed rings of the inside, metres on the page; rings without area are left out. */
     List<List<Point2>> fillRings() {
         List<List<Point2>> rings = new ArrayList<>();
         for (SubPath path : paths) {
             List<Point2> ring = toMetres(path.points());
-            if (ring.size() >= 3 && Math.abs(Rings.doubleArea(ring)) > 1e-12) {
+            if (!Rings.isFlat(ring, FLAT_METRES)) {
                 rings.add(ring);
             }
         }
@@ -53,7 +56,8 @@ record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double t
     /** Refuses what would make the drawing look different from what is simulated. */
     void refuseClipping() throws MalformedValueException {
         if (scope.style().clipped()) {
-            throw new MalformedValueException("clip-path and mask are not supported; cut the shape itself (Inkscape: Path > Intersection)");
+            throw new MalformedValueException(
+                    "clip-path and mask are not supported; cut the shape itself (Inkscape: Path > Intersection)");
         }
     }
 
@@ -70,6 +74,7 @@ record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double t
     }
 
     private static List<Point2> metres(List<Point2> points) {
-        return points.stream().map(p -> new Point2(Lengths.metresFromMillimetres(p.x()), Lengths.metresFromMillimetres(p.y()))).toList();
+        return points.stream().map(p -> new Point2(Lengths.metresFromMillimetres(p.x()),
+                Lengths.metresFromMillimetres(p.y()))).toList();
     }
 }

@@ -47,12 +47,14 @@ final class WorldAssembler implements DrawingVisitor {
     }
 
     private World world() {
-        return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()), Lengths.metresFromMillimetres(page.minY()),
-                Lengths.metresFromMillimetres(page.width()), Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps,
-                table(), placements, document.text());
+        return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()),
+                Lengths.metresFromMillimetres(page.minY()), Lengths.metresFromMillimetres(page.width()),
+                Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps, table(),
+                placements, EmbeddedImages.textOf(document));
     }
 
-    @Override public boolean enter(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
+    @Override public boolean enter(SvgElement element, Scope scope)
+            throws DescriptionException, MalformedValueException {
         if (element.has("data-robot")) {
             placements.add(PlacementReader.read(document, element, scope, placements));
             return true;
@@ -67,7 +69,7 @@ final class WorldAssembler implements DrawingVisitor {
         }
         if (meaning.has("data-beacon") || meaning.has("data-lamp-lux")) {
             List<DrawnShape> shapes = walker.shapesWithin(element, scope);
-            pointSources(element, meaning, LocalBox.of(scope, shapes).centre());
+            pointSources(ids.of(element), meaning, LocalBox.of(scope, shapes).centre());
             return true;
         }
         return false;
@@ -77,7 +79,8 @@ final class WorldAssembler implements DrawingVisitor {
     private static boolean isOneThing(SvgElement element) throws MalformedValueException {
         String body = element.attribute("data-body");
         if (body != null && !body.equals("one")) {
-            throw new MalformedValueException("data-body=\"" + LengthParser.shortened(body) + "\" is not known; allowed: one");
+            throw new MalformedValueException("data-body=\"" + LengthParser.shortened(body)
+                    + "\" is not known; allowed: one");
         }
         return body != null || element.name().equals("use");
     }
@@ -94,10 +97,11 @@ final class WorldAssembler implements DrawingVisitor {
         if (solid.isEmpty()) {
             throw new MalformedValueException("has data-solid but holds no shape");
         }
-        obstacles.add(ObstacleBuilder.build(document, ids.of(element), solid));
+        String id = ids.of(element);
+        obstacles.add(ObstacleBuilder.build(document, id, solid));
         Meaning meaning = solid.get(0).scope().meaning();
         if (meaning.has("data-beacon") || meaning.has("data-lamp-lux")) {
-            pointSources(element, meaning, LocalBox.of(scope, solid).centre());
+            pointSources(id, meaning, LocalBox.of(scope, solid).centre());
         }
     }
 
@@ -105,15 +109,18 @@ final class WorldAssembler implements DrawingVisitor {
         Meaning meaning = shape.scope().meaning();
         boolean solid = ObstacleBuilder.isSolid(meaning);
         boolean point = meaning.has("data-beacon") || meaning.has("data-lamp-lux");
-        if (meaning.has("data-zone") && (solid || point || meaning.has("data-edge")) || meaning.has("data-edge") && (solid || point)) {
-            throw new MalformedValueException("a shape cannot be a zone, a table edge and something solid at once; draw it twice");
+        if (meaning.has("data-zone") && (solid || point || meaning.has("data-edge")) || meaning.has("data-edge")
+                && (solid || point)) {
+            throw new MalformedValueException(
+                    "a shape cannot be a zone, a table edge and something solid at once; draw it twice");
         }
         shape.refuseClipping();
+        String id = ids.of(shape.element());
         if (solid) {
-            obstacles.add(ObstacleBuilder.build(document, ids.of(shape.element()), List.of(shape)));
+            obstacles.add(ObstacleBuilder.build(document, id, List.of(shape)));
         }
         if (point) {
-            pointSources(shape.element(), meaning, LocalBox.of(shape.scope(), List.of(shape)).centre());
+            pointSources(id, meaning, LocalBox.of(shape.scope(), List.of(shape)).centre());
         } else if (meaning.has("data-zone")) {
             zones.add(new Zone(meaning.name("data-zone"), area(shape)));
         } else if (meaning.has("data-edge")) {
@@ -121,20 +128,20 @@ final class WorldAssembler implements DrawingVisitor {
             tables.add(area(shape));
         }
         if (!solid && !point && !meaning.has("data-zone")) {
-            floor.addAll(FloorPaints.of(document, shape, ids.of(shape.element())));
+            floor.addAll(FloorPaints.of(document, shape, id));
         }
     }
 
-    private void pointSources(SvgElement element, Meaning meaning, Point2 position) throws DescriptionException {
+    private void pointSources(String id, Meaning meaning, Point2 position) throws DescriptionException {
         if (meaning.has("data-beacon")) {
             double channel = meaning.number("data-beacon", 1, 1, 4);
             if (channel != Math.rint(channel)) {
                 throw meaning.error("data-beacon", "data-beacon is a channel; allowed: 1, 2, 3, 4");
             }
-            beacons.add(new Beacon(ids.of(element), (int) channel, position));
+            beacons.add(new Beacon(id, (int) channel, position));
         }
         if (meaning.has("data-lamp-lux")) {
-            lamps.add(new Lamp(ids.of(element), meaning.number("data-lamp-lux", 0, 0, GREATEST_LUX), position));
+            lamps.add(new Lamp(id, meaning.number("data-lamp-lux", 0, 0, GREATEST_LUX), position));
         }
     }
 
@@ -167,6 +174,7 @@ final class WorldAssembler implements DrawingVisitor {
     }
 
     static Pose2 pose(Affine toPage) {
-        return new Pose2(Lengths.metresFromMillimetres(toPage.e()), Lengths.metresFromMillimetres(toPage.f()), toPage.headingRadians());
+        return new Pose2(Lengths.metresFromMillimetres(toPage.e()), Lengths.metresFromMillimetres(toPage.f()),
+                toPage.headingRadians());
     }
 }

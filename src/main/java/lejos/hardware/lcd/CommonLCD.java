@@ -1,6 +1,8 @@
 package lejos.hardware.lcd;
 
-/** What text and graphics displays have in common. Coordinates are pixels, (0, 0) at the top left, y down; 1 is black. */
+/**
+ * What text and graphics displays have in common. Coordinates are pixels, (0, 0) at the top left, y down; 1 is black.
+ */
 public interface CommonLCD {
     /** Result bit: 0. */
     int ROP_CLEAR = 0x00000000;
@@ -62,8 +64,8 @@ public interface CommonLCD {
      * @param src image memory, rows of whole bytes; may be null if {@code rop} does not look at it
      * @param sw width of the image in pixels
      * @param sh height of the image in pixels
-     * @param sx left edge of the part to copy; nothing is drawn if it is negative
-     * @param sy upper edge of the part to copy; nothing is drawn if it is negative
+     * @param sx left edge of the part to copy; nothing is drawn if it is negative after clipping the destination
+     * @param sy upper edge of the part to copy; nothing is drawn if it is negative after clipping the destination
      * @param dx left edge of the result
      * @param dy upper edge of the result
      * @param w width of the part in pixels
@@ -73,13 +75,15 @@ public interface CommonLCD {
     void bitBlt(byte[] src, int sw, int sh, int sx, int sy, int dx, int dy, int w, int h, int rop);
 
     /**
-     * Combines an image with another one, as {@link #bitBlt(byte[], int, int, int, int, int, int, int, int, int)} does with this display.
+     * Combines an image with another one, as {@link #bitBlt(byte[], int, int, int, int, int, int, int, int, int)} does
+     * with this display.
      *
      * @param dst memory to draw into
      * @param dw width of that image in pixels
      * @param dh height of that image in pixels
      */
-    void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h, int rop);
+    void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h,
+            int rop);
 
     /** Whether this display's layer is copied to the screen every 250 ms; on at the start. */
     void setAutoRefresh(boolean on);

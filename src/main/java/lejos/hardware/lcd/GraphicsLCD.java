@@ -1,6 +1,9 @@
 package lejos.hardware.lcd;
 
-/** A display to draw on, pixel by pixel. Everything except {@code clear}, {@code setPixel}, {@code getPixel} and {@code bitBlt} is translated. */
+/**
+ * A display to draw on, pixel by pixel. Everything except {@code clear}, {@code setPixel}, {@code getPixel} and {@code
+ * bitBlt} is translated.
+ */
 public interface GraphicsLCD extends CommonLCD {
     /** Transform: left and right exchanged. */
     int TRANS_MIRROR = 2;
@@ -142,7 +145,10 @@ public interface GraphicsLCD extends CommonLCD {
      */
     void drawRoundRect(int x, int y, int width, int height, int arcWidth, int arcHeight);
 
-    /** Draws the outline of a rectangle of {@code width + 1} by {@code height + 1} pixels; nothing if either is negative. */
+    /**
+     * Draws the outline of a rectangle of {@code width + 1} by {@code height + 1} pixels; nothing if either is
+     * negative.
+     */
     void drawRect(int x, int y, int width, int height);
 
     /** Fills {@code width} by {@code height} pixels. */

@@ -28,7 +28,8 @@ public class Image implements Serializable {
     }
 
     /**
-     * Reads a leJOS image file: magic number {@code LNI0}, width and height as 16-bit numbers, then {@code width × ((height + 7) / 8)} bytes.
+     * Reads a leJOS image file: magic number {@code LNI0}, width and height as 16-bit numbers, then {@code width ×
+     * ((height + 7) / 8)} bytes.
      *
      * @throws IOException if the stream cannot be read or is no image
      */

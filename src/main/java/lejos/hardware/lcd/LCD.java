@@ -62,7 +62,10 @@ public class LCD {
 
     private LCD() {}
 
-    /** Combines an image with the screen; see {@link CommonLCD#bitBlt(byte[], int, int, int, int, int, int, int, int, int)}. */
+    /**
+     * Combines an image with the screen; see {@link CommonLCD#bitBlt(byte[], int, int, int, int, int, int, int, int,
+     * int)}.
+     */
     public static void bitBlt(byte[] src, int sw, int sh, int sx, int sy, int dx, int dy, int w, int h, int rop) {
         g.bitBlt(src, sw, sh, sx, sy, dx, dy, w, h, rop);
     }
@@ -158,7 +161,8 @@ public class LCD {
 
     /** Combines two images; see {@link CommonLCD}. */
     public static void bitBlt(
-            byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h, int rop) {
+            byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h,
+            int rop) {
         g.bitBlt(src, sw, sh, sx, sy, dst, dw, dh, dx, dy, w, h, rop);
     }
 
@@ -167,7 +171,9 @@ public class LCD {
         t.scroll();
     }
 
-    /** Clears {@code n} cells from column {@code x} of row {@code y}. (In leJOS 0.9.1 this cleared the whole screen.) */
+    /**
+     * Clears {@code n} cells from column {@code x} of row {@code y}. (In leJOS 0.9.1 this cleared the whole screen.)
+     */
     public static void clear(int x, int y, int n) {
         t.clear(x, y, n);
     }

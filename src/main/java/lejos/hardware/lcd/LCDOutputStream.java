@@ -2,7 +2,10 @@ package lejos.hardware.lcd;
 
 import java.io.OutputStream;
 
-/** Writes characters on a text display like a terminal: wraps at the right edge and scrolls at the bottom. Bytes are Latin-1 characters. */
+/**
+ * Writes characters on a text display like a terminal: wraps at the right edge and scrolls at the bottom. Bytes are
+ * Latin-1 characters.
+ */
 public class LCDOutputStream extends OutputStream {
     private static final int TAB = 8;
 

@@ -6,13 +6,17 @@ public interface TextLCD extends CommonLCD {
     void drawChar(char c, int x, int y);
 
     /**
-     * Draws text over its cells, clipped at the right edge; there is no wrapping, and characters outside 32 to 127 are blank.
+     * Draws text over its cells, clipped at the right edge; there is no wrapping, and characters outside 32 to 127 are
+     * blank.
      *
      * @param inverted white text on black if true
      */
     void drawString(String str, int x, int y, boolean inverted);
 
-    /** Draws text over its cells, clipped at the right edge; there is no wrapping, and characters outside 32 to 127 are blank. */
+    /**
+     * Draws text over its cells, clipped at the right edge; there is no wrapping, and characters outside 32 to 127 are
+     * blank.
+     */
     void drawString(String str, int x, int y);
 
     /** Draws a decimal number. */

@@ -74,7 +74,7 @@ public class EV3ConfigurationPort extends EV3IOPort implements ConfigurationPort
     @Override
     String describePlug() {
         return typ == EV3Port.SENSOR_PORT
-                ? SensorPlug.describe(getName(), sensor(), user())
+                ? SensorPlug.describe(getName(), sensor(), lejosClass(), user())
                 : motor() + " is plugged into " + getName();
     }
 }

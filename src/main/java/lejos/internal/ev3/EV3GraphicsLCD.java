@@ -57,7 +57,8 @@ public class EV3GraphicsLCD extends EV3LCD implements GraphicsLCD {
         for (int i = 0; i < str.length(); i++) {
             int glyph = str.charAt(i) - font.firstChar;
             if (glyph >= 0 && glyph < font.glyphCount) {
-                RasterOperation.bitBlt(font.glyphs, font.glyphWidth * font.glyphCount, font.height, font.glyphWidth * glyph, 0,
+                RasterOperation.bitBlt(font.glyphs, font.glyphWidth * font.glyphCount, font.height,
+                        font.glyphWidth * glyph, 0,
                         displayBuf, getWidth(), getHeight(), left + i * font.width, top, font.width, font.height, rop);
             }
         }
@@ -102,12 +103,14 @@ public class EV3GraphicsLCD extends EV3LCD implements GraphicsLCD {
     }
 
     @Override
-    public void drawRegionRop(Image src, int sx, int sy, int w, int h, int transform, int x, int y, int anchor, int rop) {
+    public void drawRegionRop(Image src, int sx, int sy, int w, int h, int transform, int x, int y, int anchor,
+            int rop) {
         Image picture = src == null ? new Image(getWidth(), getHeight(), displayBuf) : src;
         if (transform == TRANS_NONE) {
             blit(picture, sx, sy, w, h, x, y, anchor, rop);
         } else {
-            Image turned = PixelCopy.of(picture.getData(), picture.getWidth(), picture.getHeight(), sx, sy, w, h, transform);
+            Image turned = PixelCopy.of(picture.getData(), picture.getWidth(), picture.getHeight(), sx, sy, w, h,
+                    transform);
             blit(turned, 0, 0, turned.getWidth(), turned.getHeight(), x, y, anchor, rop);
         }
     }
@@ -149,7 +152,8 @@ public class EV3GraphicsLCD extends EV3LCD implements GraphicsLCD {
     @Override
     public void fillArc(int x, int y, int width, int height, int startAngle, int arcAngle) {
         if (width >= 0 && height >= 0) {
-            pen.fillSector(x + translateX, y + translateY, width, height, new ArcSector(width, height, startAngle, arcAngle));
+            pen.fillSector(x + translateX, y + translateY, width, height,
+                    new ArcSector(width, height, startAngle, arcAngle));
         }
     }
 
@@ -158,7 +162,8 @@ public class EV3GraphicsLCD extends EV3LCD implements GraphicsLCD {
         if (width >= 0 && height >= 0) {
             int roundedWidth = Math.max(0, Math.min(width, arcWidth));
             int roundedHeight = Math.max(0, Math.min(height, arcHeight));
-            pen.roundRectangle(x + translateX, y + translateY, width, height, new EllipseOutline(roundedWidth, roundedHeight));
+            pen.roundRectangle(x + translateX, y + translateY, width, height,
+                    new EllipseOutline(roundedWidth, roundedHeight));
         }
     }
 

@@ -10,6 +10,8 @@ import lejos.hardware.sensor.EV3SensorConstants;
  * <p>The table is guarded by the lock of this class. A closed port object stays closed.
  */
 public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorConstants {
+    private static final String READY_MADE_MOTORS =
+            "; touching any of Motor.A to Motor.D opens all four motor ports, so use either those or motor objects of your own";
     private static final EV3IOPort[][] OPEN = {new EV3IOPort[PORTS], new EV3IOPort[MOTORS]};
 
     /** 0 to 3; −1 when closed. */
@@ -21,6 +23,7 @@ public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorCon
     /** The mode set last. */
     protected int currentMode;
 
+    private volatile String lejosClass;
     private volatile String user;
 
     /** A port that is not open yet. */
@@ -76,7 +79,8 @@ public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorCon
             EV3IOPort holder = OPEN[type][index];
             return holder == null ? null : new IllegalStateException("port " + holder.getName() + " is open already"
                     + (holder.user == null ? "" : " for " + holder.user)
-                    + ": use another port, or close() the object that holds it");
+                    + ": use another port, or close() the object that holds it"
+                    + (type == EV3Port.MOTOR_PORT ? READY_MADE_MOTORS : ""));
         }
     }
 
@@ -89,12 +93,18 @@ public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorCon
     /** What is plugged in and what the program expected there, in a sentence or two. */
     abstract String describePlug();
 
-    /** Notes which leJOS class uses the port. */
-    void announce(String lejosClass) {
-        user = lejosClass;
+    /** Notes which leJOS class uses the port, and which class of the program that is. */
+    void announce(String name, String ownClass) {
+        lejosClass = name;
+        user = ownClass;
     }
 
     /** The leJOS class that uses the port, or null. */
+    String lejosClass() {
+        return lejosClass;
+    }
+
+    /** The class that uses the port: the program's own or that of leJOS; or null. */
     String user() {
         return user;
     }

@@ -12,9 +12,9 @@ import lejos.utility.Delay;
 /**
  * The keys of the brick.
  *
- * <p>leJOS looks at the keys every 50 ms while it waits. This class sleeps until a key moves and then goes on at the moment of the next
- * look, so that results and times are the same. The state known to waits is one for all threads; waiting on several threads at a time is
- * not supported by leJOS, and neither here.
+ * <p>leJOS looks at the keys every 50 ms while it waits. This class sleeps until a key moves and then goes on at the
+ * moment of the next look, so that results and times are the same. The state known to waits is one for all threads;
+ * waiting on several threads at a time is not supported by leJOS, and neither here.
  */
 public class EV3Keys implements Keys {
     private static final int DEBOUNCE_MILLIS = 10;

@@ -52,7 +52,8 @@ public class EV3LCD implements CommonLCD {
     }
 
     @Override
-    public void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h, int rop) {
+    public void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w,
+            int h, int rop) {
         RasterOperation.bitBlt(src, sw, sh, sx, sy, dst, dw, dh, dx, dy, w, h, rop);
         spend((Math.min(w, dw) + 7) / 8 * Math.min(h, dh));
     }

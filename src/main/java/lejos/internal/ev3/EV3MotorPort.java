@@ -36,8 +36,8 @@ public class EV3MotorPort extends EV3IOPort implements TachoMotorPort {
     }
 
     @Override
-    void announce(String lejosClass) {
-        super.announce(lejosClass);
+    void announce(String lejosClass, String ownClass) {
+        super.announce(lejosClass, ownClass);
         socket.expect(lejosClass);
     }
 

@@ -232,9 +232,18 @@ final class EV3MotorRegulator implements MotorRegulator {
         }
     }
 
+    /** Called by the watching thread: blocks until the motor stands, whatever is recorded meanwhile. */
+    void awaitEnd() {
+        if (port.index() >= 0) {
+            regulation().awaitStandstill();
+        }
+    }
+
     /** Called by the watching thread: reports the end of a move that nobody else noticed. Needs this lock. */
     void watch() {
-        noticeEnd(state());
+        if (port.index() >= 0) {
+            noticeEnd(state());
+        }
     }
 
     /** The tacho as programs see it. */

@@ -75,8 +75,9 @@ public class EV3Port implements Port {
     }
 
     private Throwable refusal(Class<?> wanted) {
-        String kind = typ == SENSOR_PORT ? "a sensor port" : "a motor port";
-        return new IllegalStateException(name + " is " + kind + " and cannot be opened as "
+        String kind = typ == SENSOR_PORT ? " is a sensor port (motors go into A to D)"
+                : " is a motor port (sensors go into S1 to S4)";
+        return new IllegalStateException(name + kind + " and cannot be opened as "
                 + (wanted == null ? "null" : wanted.getSimpleName()));
     }
 

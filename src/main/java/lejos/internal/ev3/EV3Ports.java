@@ -43,7 +43,9 @@ public final class EV3Ports {
      */
     public static void announce(IOPort port, Object device) {
         if (port instanceof EV3IOPort opened) {
-            opened.announce(lejosClass(device.getClass()).getSimpleName());
+            String lejosClass = lejosClass(device.getClass()).getSimpleName();
+            String ownClass = device.getClass().getSimpleName();
+            opened.announce(lejosClass, ownClass.isEmpty() ? lejosClass : ownClass);
         }
     }
 

@@ -18,8 +18,8 @@ abstract class EV3SensorIOPort extends EV3IOPort {
     }
 
     @Override
-    void announce(String lejosClass) {
-        super.announce(lejosClass);
+    void announce(String lejosClass, String ownClass) {
+        super.announce(lejosClass, ownClass);
         socket.expect(lejosClass);
     }
 
@@ -31,6 +31,6 @@ abstract class EV3SensorIOPort extends EV3IOPort {
 
     @Override
     String describePlug() {
-        return SensorPlug.describe(getName(), socket, user());
+        return SensorPlug.describe(getName(), socket, lejosClass(), user());
     }
 }

@@ -51,7 +51,8 @@ public class EV3TextLCD extends EV3LCD implements TextLCD {
     }
 
     private void drawGlyph(char c, int x, int y, int rop) {
-        RasterOperation.bitBlt(font.glyphs, font.glyphWidth * font.glyphCount, font.height, font.glyphWidth * (c - font.firstChar), 0,
+        RasterOperation.bitBlt(font.glyphs, font.glyphWidth * font.glyphCount, font.height,
+                font.glyphWidth * (c - font.firstChar), 0,
                 displayBuf, SCREEN_WIDTH, SCREEN_HEIGHT, x * font.width, y * font.height, font.width, font.height, rop);
     }
 

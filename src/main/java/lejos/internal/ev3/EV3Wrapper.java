@@ -5,10 +5,12 @@ import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import lejos.hardware.lcd.LCDOutputStream;
+import lejos.hardware.port.MotorPort;
+import lejos.hardware.port.SensorPort;
 
 /**
- * Starts a program the way the brick's menu does: prepares the layers of the screen, duplicates {@code System.out} and {@code System.err} to
- * the screen, shows exceptions that nobody caught, and calls {@code main}.
+ * Starts a program the way the brick's menu does: prepares the layers of the screen, duplicates {@code System.out} and
+ * {@code System.err} to the screen, shows exceptions that nobody caught, and calls {@code main}.
  */
 public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
     private static final String PRINTED_LAYER = "STDOUT";
@@ -43,7 +45,11 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
         }
     }
 
-    private static void prepare() {
+    /** Prepares the ports, the layers of the screen, the program's console and the exception screen. */
+    public static void prepare() {
+        // Interfaces are initialised inside the JVM, where a thread cannot be switched away: done while there is only one.
+        MotorPort.A.getName();
+        SensorPort.S1.getName();
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();
         layers.getLayer(EV3LCD.PROGRAM_LAYER);
         LCDOutputStream printed = new LCDOutputStream(new PrintedText(PRINTED_LAYER));
@@ -54,7 +60,9 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
         Thread.setDefaultUncaughtExceptionHandler(new EV3Wrapper());
     }
 
-    /** Reports the exception, buzzes, and shows it on the screen: until ESCAPE if somebody is there, else for a moment. */
+    /**
+     * Reports the exception, buzzes, and shows it on the screen: until ESCAPE if somebody is there, else for a moment.
+     */
     @Override
     public void uncaughtException(Thread t, Throwable e) {
         Throwable shown = e instanceof InvocationTargetException && e.getCause() != null ? e.getCause() : e;

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The upper left quarter of the outline of an ellipse in a box of {@code width + 1} by {@code height + 1} pixels, as steps from the middle of
- * the top to the middle of the left side. The other quarters are its mirror images.
+ * The upper left quarter of the outline of an ellipse in a box of {@code width + 1} by {@code height + 1} pixels, as
+ * steps from the middle of the top to the middle of the left side. The other quarters are its mirror images.
  */
 final class EllipseOutline {
     private final int width;
@@ -26,7 +26,10 @@ final class EllipseOutline {
         return quarter;
     }
 
-    /** First column of the ellipse in a row of the box, from the box's left edge; the last column is as far from the right edge. */
+    /**
+     * First column of the ellipse in a row of the box, from the box's left edge; the last column is as far from the
+     * right edge.
+     */
     int leftmost(int row) {
         return leftmost[Math.min(row, height - row)];
     }

@@ -22,7 +22,8 @@ final class ExceptionScreen {
     }
 
     private static List<String> lines(Throwable failure) {
-        List<String> lines = new ArrayList<>(List.of("Uncaught exception", "", failure.getClass().getName(), message(failure), ""));
+        List<String> lines = new ArrayList<>(List.of("Uncaught exception", "", failure.getClass().getName(),
+                message(failure), ""));
         Throwable cause = failure.getCause();
         lines.add(cause == null ? "" : "by " + cause.getClass().getName());
         lines.add(cause == null ? "" : message(cause));
@@ -43,7 +44,10 @@ final class ExceptionScreen {
         return type.substring(type.lastIndexOf('.') + 1) + "." + frame.getMethodName() + ":" + frame.getLineNumber();
     }
 
-    /** Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there it is dismissed at once. */
+    /**
+     * Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there it is dismissed
+     * at once.
+     */
     void show() {
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();
         synchronized (ExceptionScreen.class) {

@@ -11,7 +11,7 @@ import lejos.robotics.RegulatedMotorListener;
  * Reports the starts and ends of one motor's moves. Blended moves report nothing in between.
  *
  * <p>Every method needs the regulator's lock, and listeners are called under it: by the commanding thread, by a thread
- * that waited for the end of the move, or by a daemon that looks every 5 ms.
+ * that waited for the end of the move, or by a daemon that sleeps through the move and looks at most 5 ms after its end.
  */
 final class MoveEvents {
     private static final int LOOK_MILLIS = 5;
@@ -84,17 +84,33 @@ final class MoveEvents {
     }
 
     private void watch() {
+        try {
+            while (awaitMove()) {
+                regulator.awaitEnd();
+                reportEnd();
+            }
+        } catch (InterruptedException e) {
+            // Nobody but a program that collects all threads interrupts this one; it wants it gone.
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Sleeps until there is a move to watch; false when the port has been closed. */
+    private boolean awaitMove() throws InterruptedException {
         synchronized (regulator) {
-            while (!closed) {
-                boolean looking = underWay && listener != null;
-                if (looking) {
-                    regulator.watch();
-                }
-                try {
-                    regulator.wait(looking ? LOOK_MILLIS : 0);
-                } catch (InterruptedException e) {
-                    return; // nobody but a program that collects all threads interrupts this one; it wants it gone
-                }
+            while (!closed && (!underWay || listener == null)) {
+                regulator.wait();
+            }
+            return !closed;
+        }
+    }
+
+    /** Gives a thread that waited for the same end the time to notice it first, as the original's next look does. */
+    private void reportEnd() throws InterruptedException {
+        synchronized (regulator) {
+            regulator.wait(LOOK_MILLIS);
+            if (!closed) {
+                regulator.watch();
             }
         }
     }

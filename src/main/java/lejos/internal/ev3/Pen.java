@@ -2,7 +2,9 @@ package lejos.internal.ev3;
 
 import lejos.hardware.lcd.GraphicsLCD;
 
-/** Draws outlines pixel by pixel on a surface, solid or dotted, in the surface's colour. Coordinates are untranslated. */
+/**
+ * Draws outlines pixel by pixel on a surface, solid or dotted, in the surface's colour. Coordinates are untranslated.
+ */
 final class Pen {
     private final EV3GraphicsLCD surface;
     private int style = GraphicsLCD.SOLID;
@@ -19,41 +21,40 @@ final class Pen {
         style = newStyle;
     }
 
-    /** A line with both ends, by Bresenham's rule; dotted lines show the start and every second pixel after it. */
+    /**
+     * A line with both ends, by Bresenham's rule; dotted lines show the start, the next pixel, and every second pixel
+     * after it.
+     */
     void line(int x0, int y0, int x1, int y1) {
         int dx = Math.abs(x1 - x0);
         int dy = Math.abs(y1 - y0);
         int stepX = Integer.compare(x1, x0);
         int stepY = Integer.compare(y1, y0);
-        int steps = Math.max(dx, dy);
-        surface.spend(steps + 1);
-        int error = dx - dy;
+        int length = Math.max(dx, dy);
+        int minor = Math.min(dx, dy);
+        surface.spend(length + 1);
+        int error = 2 * minor - length;
         int x = x0;
         int y = y0;
-        for (int i = 0; i <= steps; i++) {
+        for (int i = 0; i <= length; i++) {
             dot(i, x, y);
-            int doubled = 2 * error;
-            if (doubled > -dy) {
-                error -= dy;
-                x += stepX;
-            }
-            if (doubled < dx) {
-                error += dx;
-                y += stepY;
-            }
+            boolean sidestep = error >= 0;
+            error += 2 * minor - (sidestep ? 2 * length : 0);
+            x += dx >= dy || sidestep ? stepX : 0;
+            y += dx < dy || sidestep ? stepY : 0;
         }
     }
 
-    /** Left side down, bottom to the right, right side up, top to the left, so that the dots of dotted sides follow each other. */
+    /** The sides one after the other, clockwise from the upper left corner. */
     void rectangle(int x, int y, int width, int height) {
         if (width == 0 || height == 0) {
             line(x, y, x + width, y + height);
             return;
         }
-        line(x, y, x, y + height);
-        line(x, y + height, x + width, y + height);
-        line(x + width, y + height, x + width, y);
-        line(x + width, y, x, y);
+        line(x, y, x + width, y);
+        line(x + width, y, x + width, y + height);
+        line(x + width, y + height, x, y + height);
+        line(x, y + height, x, y);
     }
 
     void arc(int x, int y, int width, int height, ArcSector sector) {
@@ -103,7 +104,7 @@ final class Pen {
     }
 
     private void dot(int index, int x, int y) {
-        if (style == GraphicsLCD.SOLID || index % 2 == 0) {
+        if (style == GraphicsLCD.SOLID || index == 0 || index % 2 == 1) {
             surface.plot(x, y, black());
         }
     }

@@ -22,7 +22,8 @@ final class PixelCopy {
     }
 
     /** The part at (x, y) of the given size, transformed; pixels outside the source are white. */
-    static Image of(byte[] source, int sourceWidth, int sourceHeight, int x, int y, int width, int height, int transform) {
+    static Image of(byte[] source, int sourceWidth, int sourceHeight, int x, int y, int width, int height,
+            int transform) {
         return new PixelCopy(source, sourceWidth, sourceHeight, width, height, transform).from(x, y);
     }
 

@@ -8,7 +8,7 @@ final class PrintedText extends EV3TextLCD {
 
     @Override
     void spend(int pixels) {
-        // Nothing may block here: the print stream that calls is locked.
+        // PrintedBytes reports the work of a whole write.
     }
 
     @Override

@@ -1,8 +1,8 @@
 package lejos.internal.ev3;
 
 /**
- * Combines rectangles of two bitmaps bit by bit. Each result bit is {@code (d & ((s & A) ^ B)) ^ ((s & C) ^ D)}, where A to D are the four
- * bytes of the operation from the highest to the lowest.
+ * Combines rectangles of two bitmaps bit by bit. Each result bit is {@code (d & ((s & A) ^ B)) ^ ((s & C) ^ D)}, where
+ * A to D are the four bytes of the operation from the highest to the lowest.
  */
 final class RasterOperation {
     private final byte[] source;
@@ -25,18 +25,23 @@ final class RasterOperation {
         this.d = operation & 0xff;
     }
 
-    /** See {@link lejos.hardware.lcd.CommonLCD#bitBlt(byte[], int, int, int, int, byte[], int, int, int, int, int, int, int)}. */
-    static void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w, int h, int rop) {
-        if (sx < 0 || sy < 0) {
-            return;
-        }
+    /**
+     * See {@link lejos.hardware.lcd.CommonLCD#bitBlt(byte[], int, int, int, int, byte[], int, int, int, int, int, int,
+     * int)}.
+     */
+    static void bitBlt(byte[] src, int sw, int sh, int sx, int sy, byte[] dst, int dw, int dh, int dx, int dy, int w,
+            int h, int rop) {
         int left = Math.max(0, -dx);
         int top = Math.max(0, -dy);
+        if (sx + left < 0 || sy + top < 0) {
+            return;
+        }
         int width = Math.min(w, Math.min(sw - sx, dw - dx)) - left;
         int height = Math.min(h, Math.min(sh - sy, dh - dy)) - top;
         if (width > 0 && height > 0) {
             byte[] untouched = src == dst ? src.clone() : src;
-            new RasterOperation(untouched, sw, dst, dw, rop).run(sx + left, sy + top, dx + left, dy + top, width, height);
+            new RasterOperation(untouched, sw, dst, dw, rop)
+                    .run(sx + left, sy + top, dx + left, dy + top, width, height);
         }
     }
 

@@ -2,7 +2,9 @@ package lejos.internal.io;
 
 import java.util.Properties;
 
-/** The brick's settings. They start out empty and live as long as the program: a virtual brick keeps no settings file. */
+/**
+ * The brick's settings. They start out empty and live as long as the program: a virtual brick keeps no settings file.
+ */
 public class Settings {
     private static final Properties VALUES = new Properties();
 

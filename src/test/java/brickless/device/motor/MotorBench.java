@@ -23,7 +23,8 @@ final class MotorBench {
 
     MotorBench(MotorType type, double volts, long stepNanos) {
         this.volts = volts;
-        Arena arena = new Arena(TestWorlds.with(), List.of(new Entrant("bench", TestWorlds.robot(List.of(), List.of()), new Pose2(0, 0, 0))),
+        Arena arena = new Arena(TestWorlds.with(),
+                List.of(new Entrant("bench", TestWorlds.robot(List.of(), List.of()), new Pose2(0, 0, 0))),
                 new ArenaSettings(false, stepNanos));
         shaft = arena.robots().get(0).shaft(0);
         MotorDevice[] device = new MotorDevice[1];

@@ -27,7 +27,8 @@ class MovePlanTest {
         "100, 360, 105, 91, 91, 122, 107.9, 107.9, -186.5",
         "100, 360, 300, 0, 525, 585, 100, 289.2, 360",
         "100, -360, 200, 120, 367, 427, 100, 189.2, 360"})
-    void limitedMovesMatchThePublishedLibrary(float p, float u, int limit, int t1, int t2, int t3, double atT1, double atT2, double v) {
+    void limitedMovesMatchThePublishedLibrary(float p, float u, int limit, int t1, int t2, int t3, double atT1,
+            double atT2, double v) {
         MovePlan plan = plan(p, u, 360, 6000, limit);
         assertThat(plan.cruiseMillis()).isEqualTo(t1);
         assertThat(plan.brakingMillis()).isEqualTo(t2);
@@ -83,7 +84,10 @@ class MovePlanTest {
         }
     }
 
-    /** From many starts to many targets: positions never jump by more than the truncation of times allows, and the end is the target. */
+    /**
+     * From many starts to many targets: positions never jump by more than the truncation of times allows, and the end
+     * is the target.
+     */
     @Test void plansAreContinuousAndEndAtTheirTarget() {
         float[] starts = {-720, -360, -50, 0, 50, 360, 720};
         int[] limits = {-2000, -100, -7, 0, 3, 45, 360, 5000};

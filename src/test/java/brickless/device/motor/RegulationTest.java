@@ -14,7 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The controller on a modelled motor: durations, settling, stall, hold and float as sheet "motor" sections 4 to 7 tell. */
+/**
+ * The controller on a modelled motor: durations, settling, stall, hold and float as sheet "motor" sections 4 to 7 tell.
+ */
 class RegulationTest {
     private static final int ENDLESS = MotorRegulation.NO_LIMIT;
     private final MotorBench bench = new MotorBench(MotorType.LARGE, 8);

@@ -15,7 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** A brick with a real panel, no ports, and a clock that a single test thread moves by charging, sleeping and waiting. */
+/**
+ * A brick with a real panel, no ports, and a clock that a single test thread moves by charging, sleeping and waiting.
+ */
 public final class PanelBench implements BrickHardware {
     private static final long NANOS_PER_MILLI = 1_000_000;
 

@@ -78,6 +78,7 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
     }
 
     synchronized void millisecond() {
+        notifyAll();
         if (!state.moving()) {
             return;
         }
@@ -241,9 +242,13 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
         return new MotorSnapshot(state, tachoDegrees(), (float) position, (float) velocity);
     }
 
-    /** Lets the brick's time pass until this motor stands. */
+    /** Lets the brick's time pass until this motor stands; daemons only watch and wait for the others to let it pass. */
     @Override
     public void awaitStandstill() {
+        if (Thread.currentThread().isDaemon()) {
+            watchUntilStandstill();
+            return;
+        }
         Runnable action;
         synchronized (this) {
             action = whileWaiting;
@@ -255,6 +260,20 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
                 throw new AssertionError("the program would wait for ever: " + request);
             }
             brick.advance(1);
+        }
+    }
+
+    private synchronized void watchUntilStandstill() {
+        boolean interrupted = false;
+        while (state.moving()) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
         }
     }
 }

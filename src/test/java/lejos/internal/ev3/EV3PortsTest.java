@@ -13,6 +13,7 @@ import lejos.hardware.port.Port;
 import lejos.hardware.port.SensorPort;
 import lejos.hardware.sensor.EV3ColorSensor;
 import lejos.hardware.sensor.EV3TouchSensor;
+import lejos.hardware.sensor.EV3UltrasonicSensor;
 import lejos.hardware.sensor.I2CSensor;
 import lejos.hardware.sensor.UARTSensor;
 import org.junit.jupiter.api.Test;
@@ -79,8 +80,8 @@ class EV3PortsTest {
     void aMissingSensorIsExplainedInTheCause() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> new EV3ColorSensor(SensorPort.S1));
         assertEquals("Invalid sensor mode", refusal.getMessage());
-        assertEquals("nothing is plugged into S1; EV3ColorSensor needs data-sensor=\"ev3-color\" with data-port=\"S1\""
-                + " in the robot file, or a robot fitted to the program (--robot auto)",
+        assertEquals("nothing is plugged into S1, but the program wants EV3ColorSensor there: add a sensor with"
+                + " data-port=\"S1\" data-sensor=\"ev3-color\" to the robot's SVG, or use --robot auto",
                         refusal.getCause().getMessage());
     }
 
@@ -88,7 +89,17 @@ class EV3PortsTest {
     void aWrongSensorIsNamed() {
         brick.sensor(0).plug(Wiring.ANALOG, 16, "ev3-touch");
         var refusal = assertThrows(IllegalArgumentException.class, () -> new OwnSerialSensor(SensorPort.S1));
-        assertEquals("ev3-touch is plugged into S1; UARTSensor has no virtual counterpart that answers there",
-                refusal.getCause().getMessage());
+        assertEquals("S1 has ev3-touch plugged in, but the program's OwnSerialSensor wants a serial sensor (ev3-color,"
+                + " ev3-gyro, ev3-infrared, ev3-ultrasonic) there", refusal.getCause().getMessage());
+    }
+
+    @Test
+    void aSensorInTheWrongPortIsFound() {
+        brick.sensor(0).plug(Wiring.ANALOG, 16, "ev3-touch");
+        brick.sensor(3).plugUart(30, "ev3-ultrasonic", "US-DIST-CM");
+        var refusal = assertThrows(IllegalArgumentException.class, () -> new EV3UltrasonicSensor(SensorPort.S1));
+        assertEquals("S1 has ev3-touch plugged in, but the program wants EV3UltrasonicSensor there: put data-sensor="
+                + "\"ev3-ultrasonic\" there in the robot's SVG, open it on S4, where the robot has its ev3-ultrasonic, or use"
+                + " --robot auto", refusal.getCause().getMessage());
     }
 }

@@ -32,8 +32,10 @@ public class Dates {
         Supplier<Date> now = Date::new;
         System.out.println("date: " + now.get());
         Calendar calendar = Calendar.getInstance();
-        System.out.println(calendar.get(Calendar.YEAR) + " " + calendar.get(Calendar.MONTH) + " " + new GregorianCalendar().get(Calendar.DATE)
-                + " " + calendar.get(Calendar.HOUR_OF_DAY) + ":" + calendar.get(Calendar.MINUTE) + ":" + calendar.get(Calendar.SECOND));
+        System.out.println(calendar.get(Calendar.YEAR) + " " + calendar.get(Calendar.MONTH) + " "
+                + new GregorianCalendar().get(Calendar.DATE)
+                + " " + calendar.get(Calendar.HOUR_OF_DAY) + ":" + calendar.get(Calendar.MINUTE) + ":"
+                + calendar.get(Calendar.SECOND));
         System.out.println(LocalDateTime.now().withNano(0));
         System.out.println(LocalDate.now() + " " + (Instant.now().toEpochMilli() - System.currentTimeMillis() < 2)
                 + " " + (Clock.systemUTC().millis() - System.currentTimeMillis() < 2));

@@ -1,7 +1,3 @@
-// expect: first
-// expect: second
-// expect: third
-// expect: result 42
 package programs.passing.concurrency;
 
 import java.util.concurrent.Executors;
@@ -9,7 +5,15 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-/** Delayed tasks run by due time, not by order of submission; a cancelled one does not run. */
+/**
+ * Delayed tasks run by due time, not by order of submission; a cancelled one does not run.
+ *
+ * @expected exited 0
+ * @prints first
+ * @prints second
+ * @prints third
+ * @prints result 42
+ */
 public class DelayedTasks {
     /** The program. */
     public static void main(String[] args) throws Exception {

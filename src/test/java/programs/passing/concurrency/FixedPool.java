@@ -1,8 +1,3 @@
-// expect: 1 on thread-1
-// expect: 4 on thread-2
-// expect: sum 5
-// expect: rejected
-// expect: terminated true
 package programs.passing.concurrency;
 
 import java.util.concurrent.Callable;
@@ -12,7 +7,16 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 
-/** A fixed pool runs tasks in the order in which they came and ends when it is told to. */
+/**
+ * A fixed pool runs tasks in the order in which they came and ends when it is told to.
+ *
+ * @expected exited 0
+ * @prints 1 on thread-1
+ * @prints 4 on thread-2
+ * @prints sum 5
+ * @prints rejected
+ * @prints terminated true
+ */
 public class FixedPool {
     private static Callable<Integer> square(int i) {
         return () -> {

@@ -1,12 +1,16 @@
-// expect: sum 5050
-// expect: inside true
 package programs.passing.concurrency;
 
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.RecursiveTask;
 
-/** A recursive task splits a sum. */
+/**
+ * A recursive task splits a sum.
+ *
+ * @expected exited 0
+ * @prints sum 5050
+ * @prints inside true
+ */
 public class ForkJoinSum {
     private static final class Sum extends RecursiveTask<Integer> {
         private static final long serialVersionUID = 1L;

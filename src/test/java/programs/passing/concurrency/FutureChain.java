@@ -1,11 +1,3 @@
-// expect: chain 42
-// expect: combined 3
-// expect: recovered bad
-// expect: wrapped java.lang.IllegalStateException
-// expect: all true
-// expect: any first
-// expect: timed out
-// expect: default -1
 package programs.passing.concurrency;
 
 import java.util.concurrent.CompletableFuture;
@@ -14,7 +6,19 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Completable futures: chains, combinations, failures, time-outs. */
+/**
+ * Completable futures: chains, combinations, failures, time-outs.
+ *
+ * @expected exited 0
+ * @prints chain 42
+ * @prints combined 3
+ * @prints recovered bad
+ * @prints wrapped java.lang.IllegalStateException
+ * @prints all true
+ * @prints any first
+ * @prints timed out
+ * @prints default -1
+ */
 public class FutureChain {
     /** The program. */
     public static void main(String[] args) throws Exception {

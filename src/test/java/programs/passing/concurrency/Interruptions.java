@@ -1,10 +1,3 @@
-// expect: sleep interrupted
-// expect: take interrupted
-// expect: lock interrupted
-// expect: condition interrupted
-// expect: latch interrupted
-// expect: semaphore interrupted
-// expect: future cancelled
 package programs.passing.concurrency;
 
 import java.util.concurrent.CancellationException;
@@ -16,7 +9,18 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** An interrupt ends every kind of waiting that can be interrupted. */
+/**
+ * An interrupt ends every kind of waiting that can be interrupted.
+ *
+ * @expected exited 0
+ * @prints sleep interrupted
+ * @prints take interrupted
+ * @prints lock interrupted
+ * @prints condition interrupted
+ * @prints latch interrupted
+ * @prints semaphore interrupted
+ * @prints future cancelled
+ */
 public class Interruptions {
     private interface Waiting {
         void run() throws InterruptedException;

@@ -1,14 +1,18 @@
-// expect: round 1
-// expect: round 2
-// expect: done, 0 missing
-// expect: all 6
 package programs.passing.concurrency;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** A latch starts three threads together, a barrier keeps them in step, another latch tells when all are done. */
+/**
+ * A latch starts three threads together, a barrier keeps them in step, another latch tells when all are done.
+ *
+ * @expected exited 0
+ * @prints round 1
+ * @prints round 2
+ * @prints done, 0 missing
+ * @prints all 6
+ */
 public class LatchesAndBarrier {
     /** The program. */
     public static void main(String[] args) throws Exception {

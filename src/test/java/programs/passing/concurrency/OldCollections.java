@@ -1,9 +1,3 @@
-// expect: [c, a, b] b
-// expect: top 3 of [1, 2, 3]
-// expect: {two=2, one=1, three=3}
-// expect: two one three
-// expect: {a=1, b=2}
-// expect: true
 package programs.passing.concurrency;
 
 import java.util.Collections;
@@ -14,7 +8,17 @@ import java.util.Stack;
 import java.util.TreeMap;
 import java.util.Vector;
 
-/** Vector, Stack, Hashtable and synchronized wrappers print what they print on a PC. */
+/**
+ * Vector, Stack, Hashtable and synchronized wrappers print what they print on a PC.
+ *
+ * @expected exited 0
+ * @prints [c, a, b] b
+ * @prints top 3 of [1, 2, 3]
+ * @prints {two=2, one=1, three=3}
+ * @prints two one three
+ * @prints {a=1, b=2}
+ * @prints true
+ */
 public class OldCollections {
     /** The program. */
     public static void main(String[] args) throws Exception {

@@ -1,14 +1,18 @@
-// expect: phase 0 with 2
-// expect: phase 1 with 2
-// expect: ended true
-// expect: main got from thread
-// expect: thread got from main
 package programs.passing.concurrency;
 
 import java.util.concurrent.Exchanger;
 import java.util.concurrent.Phaser;
 
-/** A phaser counts rounds, an exchanger swaps. */
+/**
+ * A phaser counts rounds, an exchanger swaps.
+ *
+ * @expected exited 0
+ * @prints phase 0 with 2
+ * @prints phase 1 with 2
+ * @prints ended true
+ * @prints main got from thread
+ * @prints thread got from main
+ */
 public class PhaserAndExchanger {
     /** The program. */
     public static void main(String[] args) throws Exception {

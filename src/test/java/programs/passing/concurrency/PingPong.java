@@ -1,16 +1,20 @@
-// expect: ping 1
-// expect: pong 1
-// expect: ping 2
-// expect: pong 2
-// expect: ping 3
-// expect: pong 3
-// expect: locked false
 package programs.passing.concurrency;
 
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** Two threads take turns by a lock and two conditions. */
+/**
+ * Two threads take turns by a lock and two conditions.
+ *
+ * @expected exited 0
+ * @prints ping 1
+ * @prints pong 1
+ * @prints ping 2
+ * @prints pong 2
+ * @prints ping 3
+ * @prints pong 3
+ * @prints locked false
+ */
 public class PingPong {
     private static final ReentrantLock LOCK = new ReentrantLock();
     private static final Condition PINGED = LOCK.newCondition();

@@ -1,7 +1,3 @@
-// expect: read one
-// expect: read two
-// expect: read 2.5
-// expect: end
 package programs.passing.concurrency;
 
 import java.io.BufferedReader;
@@ -10,7 +6,15 @@ import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
 import java.io.PrintStream;
 
-/** A thread prints words into a pipe, the main thread reads lines. */
+/**
+ * A thread prints words into a pipe, the main thread reads lines.
+ *
+ * @expected exited 0
+ * @prints read one
+ * @prints read two
+ * @prints read 2.5
+ * @prints end
+ */
 public class PipedWords {
     /** The program. */
     public static void main(String[] args) throws Exception {

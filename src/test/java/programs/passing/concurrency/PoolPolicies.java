@@ -1,10 +1,3 @@
-// expect: aborted
-// expect: caller runs on main
-// expect: ran first
-// expect: ran second
-// expect: completed 2
-// expect: uncaught boom
-// expect: next runs
 package programs.passing.concurrency;
 
 import java.util.concurrent.ArrayBlockingQueue;
@@ -13,7 +6,18 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** A pool that is full rejects, runs in the caller, or discards. */
+/**
+ * A pool that is full rejects, runs in the caller, or discards.
+ *
+ * @expected exited 0
+ * @prints aborted
+ * @prints caller runs on main
+ * @prints ran first
+ * @prints ran second
+ * @prints completed 2
+ * @prints uncaught boom
+ * @prints next runs
+ */
 public class PoolPolicies {
     /** The program. */
     public static void main(String[] args) throws Exception {

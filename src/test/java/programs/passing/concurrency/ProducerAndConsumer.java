@@ -1,14 +1,18 @@
-// expect: got 1
-// expect: got 2
-// expect: got 3
-// expect: sum 6
-// expect: left 0
 package programs.passing.concurrency;
 
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 
-/** A full queue blocks the producer, an empty one the consumer. */
+/**
+ * A full queue blocks the producer, an empty one the consumer.
+ *
+ * @expected exited 0
+ * @prints got 1
+ * @prints got 2
+ * @prints got 3
+ * @prints sum 6
+ * @prints left 0
+ */
 public class ProducerAndConsumer {
     /** The program. */
     public static void main(String[] args) throws Exception {

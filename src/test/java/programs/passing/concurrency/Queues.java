@@ -1,9 +1,3 @@
-// expect: linked [a, b] full false
-// expect: deque c a b
-// expect: priority 1 2 3
-// expect: transfer handed over
-// expect: synchronous x
-// expect: delayed short long
 package programs.passing.concurrency;
 
 import java.util.Arrays;
@@ -17,7 +11,17 @@ import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
 
-/** One of each kind of blocking queue. */
+/**
+ * One of each kind of blocking queue.
+ *
+ * @expected exited 0
+ * @prints linked [a, b] full false
+ * @prints deque c a b
+ * @prints priority 1 2 3
+ * @prints transfer handed over
+ * @prints synchronous x
+ * @prints delayed short long
+ */
 public class Queues {
     private static final class Wait implements Delayed {
         private final String name;
@@ -72,8 +76,9 @@ public class Queues {
         giver.start();
         System.out.println("synchronous " + synchronous.take());
         DelayQueue<Wait> delayed = new DelayQueue<>();
+        Wait brief = new Wait("short", 20);
         delayed.put(new Wait("long", 60));
-        delayed.put(new Wait("short", 20));
+        delayed.put(brief);
         System.out.println("delayed " + delayed.take().name + " " + delayed.take().name);
     }
 }

@@ -1,13 +1,17 @@
-// expect: both read 1
-// expect: wrote 2
-// expect: read 2
-// expect: upgrade false
 package programs.passing.concurrency;
 
 import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 
-/** Readers read together; the writer waits for them. */
+/**
+ * Readers read together; the writer waits for them.
+ *
+ * @expected exited 0
+ * @prints both read 1
+ * @prints wrote 2
+ * @prints read 2
+ * @prints upgrade false
+ */
 public class ReadersAndWriter {
     private static final ReentrantReadWriteLock LOCK = new ReentrantReadWriteLock();
     private static final CyclicBarrier TOGETHER =

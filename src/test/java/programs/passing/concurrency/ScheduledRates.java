@@ -1,10 +1,3 @@
-// expect: rate at 50
-// expect: rate at 150
-// expect: rate at 250
-// expect: delay at 50
-// expect: delay at 180
-// expect: delay at 310
-// expect: cancelled true
 package programs.passing.concurrency;
 
 import java.util.concurrent.CountDownLatch;
@@ -13,7 +6,18 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 
-/** Fixed rate keeps the beat although the task takes time; fixed delay does not. Times are rounded to 10 ms. */
+/**
+ * Fixed rate keeps the beat although the task takes time; fixed delay does not. Times are rounded to 10 ms.
+ *
+ * @expected exited 0
+ * @prints rate at 50
+ * @prints rate at 150
+ * @prints rate at 250
+ * @prints delay at 50
+ * @prints delay at 180
+ * @prints delay at 310
+ * @prints cancelled true
+ */
 public class ScheduledRates {
     private static Runnable task(String name, CountDownLatch left) {
         long start = System.nanoTime();

@@ -1,13 +1,17 @@
-// expect: left
-// expect: right
-// expect: left
-// expect: right
-// expect: permits 1
 package programs.passing.concurrency;
 
 import java.util.concurrent.Semaphore;
 
-/** Two semaphores make two threads alternate. */
+/**
+ * Two semaphores make two threads alternate.
+ *
+ * @expected exited 0
+ * @prints left
+ * @prints right
+ * @prints left
+ * @prints right
+ * @prints permits 1
+ */
 public class SemaphoreTurns {
     private static void turn(String name, Semaphore mine, Semaphore others) {
         for (int i = 0; i < 2; i++) {

@@ -1,9 +1,13 @@
-// expect: length 400
-// expect: left 200
-// expect: right 200
 package programs.passing.concurrency;
 
-/** Two threads append to one StringBuffer; nothing is lost. */
+/**
+ * Two threads append to one StringBuffer; nothing is lost.
+ *
+ * @expected exited 0
+ * @prints length 400
+ * @prints left 200
+ * @prints right 200
+ */
 public class SharedBuffer {
     private static void append(StringBuffer buffer, String text) {
         for (int i = 0; i < 200; i++) {

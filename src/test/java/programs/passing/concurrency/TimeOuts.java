@@ -1,10 +1,3 @@
-// expect: lock false
-// expect: semaphore false
-// expect: latch false
-// expect: poll null
-// expect: offer false
-// expect: future timed out
-// expect: condition false
 package programs.passing.concurrency;
 
 import java.util.concurrent.ArrayBlockingQueue;
@@ -15,7 +8,18 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** Everything that can wait for a limited time gives up. */
+/**
+ * Everything that can wait for a limited time gives up.
+ *
+ * @expected exited 0
+ * @prints lock false
+ * @prints semaphore false
+ * @prints latch false
+ * @prints poll null
+ * @prints offer false
+ * @prints future timed out
+ * @prints condition false
+ */
 public class TimeOuts {
     /** The program. */
     public static void main(String[] args) throws Exception {

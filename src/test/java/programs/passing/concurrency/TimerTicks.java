@@ -1,14 +1,18 @@
-// expect: tick 1 on beat
-// expect: tick 2 on beat
-// expect: tick 3 on beat
-// expect: already cancelled
 package programs.passing.concurrency;
 
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.concurrent.CountDownLatch;
 
-/** A timer ticks three times and is cancelled by its own task. */
+/**
+ * A timer ticks three times and is cancelled by its own task.
+ *
+ * @expected exited 0
+ * @prints tick 1 on beat
+ * @prints tick 2 on beat
+ * @prints tick 3 on beat
+ * @prints already cancelled
+ */
 public class TimerTicks {
     /** The program. */
     public static void main(String[] args) throws Exception {

@@ -1,9 +1,3 @@
-// expect: vector still 1
-// expect: vector now 2
-// expect: table still 1
-// expect: table now 2
-// expect: list still 1
-// expect: list now 2
 package programs.passing.concurrency;
 
 import java.util.ArrayList;
@@ -12,7 +6,17 @@ import java.util.Hashtable;
 import java.util.List;
 import java.util.Vector;
 
-/** Who holds the monitor of a vector, a table or a synchronized list keeps everybody else out. */
+/**
+ * Who holds the monitor of a vector, a table or a synchronized list keeps everybody else out.
+ *
+ * @expected exited 0
+ * @prints vector still 1
+ * @prints vector now 2
+ * @prints table still 1
+ * @prints table now 2
+ * @prints list still 1
+ * @prints list now 2
+ */
 public class VectorGuardedByItself {
     /** The program. */
     public static void main(String[] args) throws Exception {

@@ -16,7 +16,8 @@ public class InterruptJoin {
                 MAIN.join();
             } catch (InterruptedException e) {
                 long millis = (System.nanoTime() - start) / 1_000_000;
-                System.out.println("interrupted after " + (millis + 5) / 10 * 10 + " ms, flag " + Thread.currentThread().isInterrupted());
+                System.out.println("interrupted after " + (millis + 5) / 10 * 10 + " ms, flag " + Thread.currentThread()
+                        .isInterrupted());
             }
         });
         sleeper.start();

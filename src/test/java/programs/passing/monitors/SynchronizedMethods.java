@@ -21,7 +21,8 @@ public class SynchronizedMethods {
     }
 
     private void show() {
-        System.out.println("instance locked: " + Thread.holdsLock(this) + ", class locked: " + Thread.holdsLock(SynchronizedMethods.class));
+        System.out.println("instance locked: " + Thread.holdsLock(this) + ", class locked: "
+                + Thread.holdsLock(SynchronizedMethods.class));
     }
 
     private synchronized int fail(long wide, double alsoWide) {

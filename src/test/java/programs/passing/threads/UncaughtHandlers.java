@@ -9,9 +9,11 @@ package programs.passing.threads;
  */
 public class UncaughtHandlers {
     public static void main(String[] args) throws InterruptedException {
-        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> System.out.println("default " + thread.getName() + ": " + failure));
+        Thread.setDefaultUncaughtExceptionHandler(
+                (thread, failure) -> System.out.println("default " + thread.getName() + ": " + failure));
         Thread first = new Thread(() -> fail("one"), "first");
-        first.setUncaughtExceptionHandler((thread, failure) -> System.out.println("own " + thread.getName() + ": " + failure));
+        first.setUncaughtExceptionHandler((thread, failure) ->
+                System.out.println("own " + thread.getName() + ": " + failure));
         Thread second = new Thread(() -> fail("two"), "second");
         first.start();
         first.join();

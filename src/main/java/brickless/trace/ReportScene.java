@@ -1,0 +1,56 @@
+package brickless.trace;
+
+import brickless.world.Obstacle;
+import brickless.world.Point2;
+import brickless.world.RobotModel;
+import brickless.world.World;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a report draws a run with.
+ *
+ * @param world the arena; its drawing should hold its images
+ * @param robots what each robot of the run is built of, by its name in the world
+ */
+public record ReportScene(World world, Map<String, RobotModel> robots) {
+    public ReportScene {
+        robots = new LinkedHashMap<>(robots);
+    }
+
+    void write(JsonLine line) {
+        line.text("svg", world.svg());
+        line.raw("bounds", "[" + millimetres(world.minX()) + "," + millimetres(world.minY()) + "," + millimetres(world.width()) + ","
+                + millimetres(world.height()) + "]");
+        List<Obstacle> movable = world.obstacles().stream().filter(Obstacle::movable).toList();
+        line.objects("bodies", movable, (body, fields) -> fields.text("id", body.id()).raw("outlines", outlines(body.outlines())));
+        line.objects("zones", world.zones(), (zone, fields) -> fields.text("name", zone.name()));
+        line.objects("robots", robots.entrySet(), (robot, fields) -> robot(robot.getKey(), robot.getValue(), fields));
+    }
+
+    private static void robot(String name, RobotModel model, JsonLine line) {
+        line.text("name", name).text("model", model.name()).text("svg", model.svg()).raw("outlines", outlines(model.chassis()));
+        line.objects("turrets", model.turrets(), (turret, fields) -> fields.text("id", turret.id())
+                .text("port", String.valueOf((char) ('A' + turret.port()))).raw("pivot", point(turret.pivot()))
+                .number("ratio", (turret.inverted() ? -1 : 1) / turret.gearRatio(), 6));
+        line.objects("sensors", model.sensors(), (sensor, fields) -> fields.integer("port", sensor.port() + 1).text("kind", sensor.type().attribute()));
+    }
+
+    private static String outlines(List<List<Point2>> outlines) {
+        List<String> rings = new ArrayList<>();
+        for (List<Point2> ring : outlines) {
+            rings.add("[" + String.join(",", ring.stream().map(ReportScene::point).toList()) + "]");
+        }
+        return "[" + String.join(",", rings) + "]";
+    }
+
+    private static String point(Point2 point) {
+        return "[" + millimetres(point.x()) + "," + millimetres(point.y()) + "]";
+    }
+
+    private static String millimetres(double metres) {
+        return Decimals.text(metres * 1000, 2);
+    }
+}

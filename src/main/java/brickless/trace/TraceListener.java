@@ -1,0 +1,13 @@
+package brickless.trace;
+
+/** Hears a run from beginning to end: first the header, then samples and events in the order of the trace. */
+public interface TraceListener {
+    /** What the run is made of. */
+    void header(TraceHeader header);
+
+    /** Where everything was at one instant. */
+    void sample(Sample sample);
+
+    /** Something happened to or on one robot. */
+    void event(long timeNanos, String robot, TraceEvent event);
+}
