@@ -46,7 +46,7 @@ class ArchitectureTest {
         TABLE.put("brickless.loading", List.of("brickless.loading..", "brickless.kernel.hooks", "org.objectweb.asm.."));
         TABLE.put("brickless.units", List.of());
         TABLE.put("brickless.world", List.of("brickless.units"));
-        TABLE.put("brickless.world.svg", List.of("brickless.world", "brickless.units", "org.apache.batik..", "org.locationtech.jts..", "org.w3c..", "org.xml.."));
+        TABLE.put("brickless.world.svg", List.of("brickless.world", "brickless.units", "org.locationtech.jts..", "org.w3c..", "org.xml.."));
         TABLE.put("brickless.physics", List.of("brickless.world", "brickless.units", "org.jbox2d..", "org.locationtech.jts.."));
         TABLE.put("brickless.device", List.of("brickless.device..", "brickless.hardware", "brickless.physics", "brickless.kernel", "brickless.world", "brickless.units"));
         TABLE.put("brickless.trace", List.of("brickless.world", "brickless.units", "com.fasterxml.jackson.."));

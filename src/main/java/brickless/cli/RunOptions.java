@@ -73,19 +73,28 @@ final class RunOptions {
     BackendChoice backend;
 
     Program findProgram() {
-        List<Path> entries = classPath.isEmpty() ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
         try {
-            return new ProgramFinder(Path.of("").toAbsolutePath(), entries, Optional.ofNullable(main)).find(program);
+            return finder(classPath, main).find(program);
         } catch (ProgramException e) {
             throw new UsageException(e.getMessage());
         }
     }
 
+    static ProgramFinder finder(String classPath, String main) {
+        List<Path> entries = classPath.isEmpty() ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        return new ProgramFinder(Path.of("").toAbsolutePath(), entries, Optional.ofNullable(main));
+    }
+
     SimulationSettings settings() {
+        return settings(world);
+    }
+
+    /** The settings for another world. */
+    SimulationSettings settings(String worldName) {
         Library library = new Library(Path.of(""));
         try {
-            World arena = library.world(world);
-            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(world).seed(seed).limit(limit).ideal(ideal)
+            World arena = library.world(worldName);
+            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(worldName).seed(seed).limit(limit).ideal(ideal)
                     .pressButtons(buttons == Buttons.AUTO).backend(backend).goal(Optional.ofNullable(goal))
                     .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
             if (!robot.equals("auto")) {

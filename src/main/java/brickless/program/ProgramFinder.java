@@ -20,6 +20,7 @@ public final class ProgramFinder {
     private final List<Path> classPath;
     private final Optional<String> wantedMain;
     private final Path directory;
+    private boolean mainNeeded = true;
 
     /**
      * Creates a finder.
@@ -68,6 +69,21 @@ public final class ProgramFinder {
         }
     }
 
+    /**
+     * Finds (and where needed compiles) the classes of something that need not have a main class, or not a single one.
+     *
+     * @return a program whose main class may be the empty text
+     * @throws ProgramException as {@link #find}
+     */
+    public Program findClasses(String name) throws ProgramException {
+        mainNeeded = false;
+        try {
+            return find(name);
+        } finally {
+            mainNeeded = true;
+        }
+    }
+
     private Program byClassName(String name) throws ProgramException, IOException {
         boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar") || name.endsWith(".class");
         if (!looksLikeFile) {
@@ -101,22 +117,35 @@ public final class ProgramFinder {
         if (sources.isEmpty()) {
             return choose(path, name);
         }
+        return compiled(sources, target -> choose(target, name));
+    }
+
+    /** Compiles into a temporary directory, which goes with the program, or at once if no program comes of it. */
+    private Program compiled(List<Path> sources, MainChoice choice) throws ProgramException, IOException {
         Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
-        return choose(target, name).compiledInto(target);
+        Program found = null;
+        try {
+            new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+            found = choice.in(target).compiledInto(target);
+            return found;
+        } finally {
+            if (found == null) {
+                Program.delete(target);
+            }
+        }
+    }
+
+    /** Decides what the main class is. */
+    private interface MainChoice {
+        Program in(Path classes) throws ProgramException, IOException;
     }
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
-        Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(List.of(path), SourceCompiler.rootsOf(List.of(path)), target);
         String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
         String packageName = SourceCompiler.packageOf(path);
         String own = packageName.isEmpty() ? simple : packageName + "." + simple;
-        List<String> mains = MainClasses.of(target);
-        if (wantedMain.isEmpty() && mains.contains(own)) {
-            return checked(own, List.of(target), name).compiledInto(target);
-        }
-        return choose(target, name).compiledInto(target);
+        return compiled(List.of(path), target -> wantedMain.isEmpty() && MainClasses.of(target).contains(own)
+                ? checked(own, List.of(target), name) : choose(target, name));
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
@@ -147,6 +176,9 @@ public final class ProgramFinder {
         if (wantedMain.isPresent()) {
             return checked(wantedMain.get(), List.of(classes), name);
         }
+        if (!mainNeeded) {
+            return withClassPath(name, "", List.of(classes));
+        }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
         }
@@ -157,10 +189,9 @@ public final class ProgramFinder {
     }
 
     private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {
-        List<Path> all = new ArrayList<>(entries);
-        all.addAll(resolvedClassPath());
-        boolean found = false;
-        for (Path entry : all) {
+        Program program = withClassPath(name, main, entries);
+        boolean found = !mainNeeded;
+        for (Path entry : found ? List.<Path>of() : program.classPath()) {
             if (MainClasses.of(entry).contains(main)) {
                 found = true;
                 break;
@@ -171,6 +202,12 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": class " + main + " has no public static void main(String[])"
                     + (mains.isEmpty() ? "" : "; main classes there: " + String.join(", ", mains)));
         }
+        return program;
+    }
+
+    private Program withClassPath(String name, String main, List<Path> entries) {
+        List<Path> all = new ArrayList<>(entries);
+        all.addAll(resolvedClassPath());
         return new Program(name, main, all, Optional.empty());
     }
 

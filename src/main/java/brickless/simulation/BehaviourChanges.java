@@ -18,6 +18,7 @@ final class BehaviourChanges {
     private int written = NONE;
     private int current = NONE;
     private long since;
+    private boolean endMatters;
 
     BehaviourChanges(Listener listener) {
         this.listener = listener;
@@ -33,9 +34,15 @@ final class BehaviourChanges {
             since = nowNanos;
         }
         current = behaviour;
-        if (behaviour != NONE) {
+        if (behaviour != NONE || endMatters) {
+            endMatters = false;
             write(nowNanos);
         }
+    }
+
+    /** The present behaviour was told to end: when it does is written down, however short the time until the next one. */
+    void awaitEnd() {
+        endMatters = current != NONE;
     }
 
     /** To be called as time passes. */

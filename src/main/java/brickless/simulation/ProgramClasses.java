@@ -14,15 +14,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The class files of a program, in a fixed order. */
-final class ProgramClasses {
+/** The class files of a program and of the libraries it brings along, in a fixed order. */
+public final class ProgramClasses {
     private final Program program;
 
-    ProgramClasses(Program program) {
+    /** Those of a program. */
+    public ProgramClasses(Program program) {
         this.program = program;
     }
 
-    List<byte[]> files() {
+    /** Reads them all. */
+    public List<byte[]> files() {
         try {
             if (program.classPath().isEmpty()) {
                 return besideMainClass();
@@ -58,6 +60,9 @@ final class ProgramClasses {
 
     /** Of a program on the application's class path (a test): the classes of the main class' package, or its own nested ones. */
     private List<byte[]> besideMainClass() throws IOException {
+        if (program.mainClass().isEmpty()) {
+            return List.of();
+        }
         String resource = program.mainClass().replace('.', '/') + ".class";
         URL url = Thread.currentThread().getContextClassLoader().getResource(resource);
         if (url == null) {

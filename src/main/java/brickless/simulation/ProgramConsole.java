@@ -121,6 +121,7 @@ final class ProgramConsole implements ProgramLog {
 
     @Override public void behaviourSuppressed(int arbitrator, int behaviour) {
         event(new TraceEvent.BehaviourEvent("suppressed", arbitrator, behaviour));
+        arbitrators.get(arbitrator).active().awaitEnd();
     }
 
     @Override public void endProgram(int status) {

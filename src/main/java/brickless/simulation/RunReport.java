@@ -54,6 +54,15 @@ public record RunReport(String program, String main, String world, String robot,
 
     /** The JSON object of {@code --json}. */
     public String json() {
+        return json(true);
+    }
+
+    /** The JSON object of a sweep: {@link #exitStatus} as {@code passed}, and nothing that depends on the machine, its load or its JDK. */
+    public String portableJson() {
+        return json(false);
+    }
+
+    private String json(boolean withHost) {
         return JsonText.object(line -> {
             line.text("program", program).text("main", main).text("world", world).text("robot", robot).integer("seed", seed);
             line.text("outcome", outcome.kind());
@@ -62,13 +71,20 @@ public record RunReport(String program, String main, String world, String robot,
             } else {
                 line.nothing("exitStatus");
             }
-            line.seconds("simulatedSeconds", outcome.timeNanos()).number("wallSeconds", wallSeconds, 3)
-                    .number("realTimeFactor", realTimeFactor(), 1).number("distanceMetres", distanceMetres, 4)
-                    .integer("collisions", collisions).texts("zones", zones);
+            if (!withHost) {
+                line.flag("passed", exitStatus() == 0);
+            }
+            line.seconds("simulatedSeconds", outcome.timeNanos());
+            if (withHost) {
+                line.number("wallSeconds", wallSeconds, 3).number("realTimeFactor", realTimeFactor(), 1);
+            }
+            line.number("distanceMetres", distanceMetres, 4).integer("collisions", collisions).texts("zones", zones);
             line.object("finalPose", () -> line.number("xMetres", finalPose.x(), 5).number("yMetres", finalPose.y(), 5)
                     .number("headingDegrees", headingDegrees(), 3));
-            line.text("traceHash", traceHash).integer("contextSwitches", contextSwitches).integer("physicsSteps", physicsSteps)
-                    .text("backend", backend).text("jdk", jdk);
+            line.text("traceHash", traceHash).integer("contextSwitches", contextSwitches).integer("physicsSteps", physicsSteps);
+            if (withHost) {
+                line.text("backend", backend).text("jdk", jdk);
+            }
             if (outcome.error().isPresent()) {
                 line.text("error", outcome.error().get());
             } else {

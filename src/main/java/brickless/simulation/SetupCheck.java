@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.kernel.BackendChoice;
 import brickless.physics.Arena;
 import brickless.world.World;
 import brickless.world.Zone;
@@ -7,7 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Whether goal and stimuli fit the world and its robots; checked before anything is written. */
+/** Whether goal, stimuli and back-end fit the world, its robots and this JVM; checked before anything is written. */
 final class SetupCheck {
     private final SimulationSettings settings;
     private final World world;
@@ -19,6 +20,9 @@ final class SetupCheck {
 
     /** Throws a {@link SetupException} that names what is wrong and what is there. */
     void check(Arena arena) {
+        if (settings.backend() == BackendChoice.CONTINUATIONS && !BackendChoice.continuationsAvailable()) {
+            throw new SetupException("the continuation back-end needs JDK 21 or later, started with " + BackendChoice.CONTINUATION_OPTIONS);
+        }
         settings.goal().flatMap(Goal::zone).ifPresent(this::zone);
         settings.stimuli().forEach(stimulus -> stimulus(stimulus, arena));
     }

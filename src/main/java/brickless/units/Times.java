@@ -21,7 +21,10 @@ public final class Times {
         return Math.round(seconds * NANOS_PER_SECOND);
     }
 
-    /** Milliseconds to nanoseconds; throws {@link ArithmeticException} beyond the range of {@code long} (about 292 years). */
+    /**
+     * Milliseconds to nanoseconds; throws {@link ArithmeticException} beyond the range of {@code long} (about 292
+     * years).
+     */
     public static long nanosFromMilliseconds(long milliseconds) {
         return Math.multiplyExact(milliseconds, NANOS_PER_MILLISECOND);
     }

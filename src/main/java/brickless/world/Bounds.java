@@ -7,7 +7,8 @@ final class Bounds {
     private Bounds() {}
 
     static double[] of(List<List<Point2>> lines, double margin) {
-        double[] box = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        double[] box = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
+                Double.NEGATIVE_INFINITY};
         for (List<Point2> line : lines) {
             for (Point2 p : line) {
                 box[0] = Math.min(box[0], p.x() - margin);

@@ -1,6 +1,9 @@
 package brickless.world;
 
-/** A world, robot or stimuli file that cannot be used. The message is one line: file, line, element id, what is wrong, what is allowed. */
+/**
+ * A world, robot or stimuli file that cannot be used. The message is one line: file, line, element id, what is wrong,
+ * what is allowed.
+ */
 public final class DescriptionException extends Exception {
     private static final long serialVersionUID = 1L;
 

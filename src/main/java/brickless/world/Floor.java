@@ -3,9 +3,9 @@ package brickless.world;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * The painted floor of a world, for sensors that look at it again and again. The drawing is sampled every half millimetre, tile by tile, at
- * first need; paint lies on white, transparent paint mixes with what is below. Only comparisons and basic arithmetic are used, so every
- * machine sees the same floor.
+ * The painted floor of a world, for sensors that look at it again and again. The drawing is sampled every half
+ * millimetre, tile by tile, at first need; paint lies on white, transparent paint mixes with what is below. Only
+ * comparisons and basic arithmetic are used, so every machine sees the same floor.
  *
  * <p>Safe for all threads: a tile is computed from immutable data, and computing it twice gives the same tile.
  */
@@ -60,8 +60,9 @@ public final class Floor {
     }
 
     /**
-     * Mean colour of a round spot: the mean of the drawn components at 19 points, one in the middle, six on a ring at 0.459 and twelve on a
-     * ring at 0.827 of the radius, so that each stands for the same area. Missing floor counts as black.
+     * Mean colour of a round spot: the mean of the drawn components at 19 points, one in the middle, six on a ring at
+     * 0.459 and twelve on a ring at 0.827 of the radius, so that each stands for the same area. Missing floor counts
+     * as black.
      */
     public Rgb average(double x, double y, double radiusMetres) {
         int red = 0;

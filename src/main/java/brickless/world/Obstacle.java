@@ -14,8 +14,8 @@ import java.util.List;
  * @param soundAbsorbing whether it swallows ultrasound
  * @param colour drawn fill
  */
-public record Obstacle(String id, List<List<Point2>> outlines, boolean movable, double massKilograms, double heightMetres, double friction,
-        boolean soundAbsorbing, Rgb colour) {
+public record Obstacle(String id, List<List<Point2>> outlines, boolean movable, double massKilograms,
+        double heightMetres, double friction, boolean soundAbsorbing, Rgb colour) {
     public Obstacle {
         outlines = outlines.stream().map(List::copyOf).toList();
     }

@@ -17,7 +17,8 @@ final class RegionRaster {
     }
 
     static RegionRaster of(Region region) {
-        return region instanceof Region.Filled filled ? new RegionRaster(region, filled.evenOdd(), edges(filled.rings()))
+        return region instanceof Region.Filled filled
+                ? new RegionRaster(region, filled.evenOdd(), edges(filled.rings()))
                 : new RegionRaster(region, false, null);
     }
 
@@ -39,7 +40,8 @@ final class RegionRaster {
     void cover(double left, double top, boolean[] covered) {
         if (edges == null) {
             for (int i = 0; i < covered.length; i++) {
-                covered[i] = region.contains(TilePainter.centre(left, i % TilePainter.SIDE), TilePainter.centre(top, i / TilePainter.SIDE));
+                covered[i] = region.contains(TilePainter.centre(left, i % TilePainter.SIDE),
+                        TilePainter.centre(top, i / TilePainter.SIDE));
             }
             return;
         }
@@ -70,7 +72,8 @@ final class RegionRaster {
             if (y >= low) {
                 double x = x1 + (y - y1) * slope;
                 double column = Math.ceil((x - left) / Floor.SAMPLE_METRES - 0.5);
-                steps[row * (TilePainter.SIDE + 1) + (int) Math.max(0, Math.min(TilePainter.SIDE, column))] += direction;
+                steps[row * (TilePainter.SIDE + 1)
+                        + (int) Math.max(0, Math.min(TilePainter.SIDE, column))] += direction;
             }
         }
     }

@@ -16,8 +16,8 @@ import java.util.Optional;
  * @param claws limited-angle mechanisms
  * @param svg the drawing's text with its images embedded, for pictures of a run
  */
-public record RobotModel(String name, List<List<Point2>> chassis, double massKilograms, List<Wheel> wheels, List<Caster> casters,
-        List<SensorMount> sensors, List<Turret> turrets, List<Claw> claws, String svg) {
+public record RobotModel(String name, List<List<Point2>> chassis, double massKilograms, List<Wheel> wheels,
+        List<Caster> casters, List<SensorMount> sensors, List<Turret> turrets, List<Claw> claws, String svg) {
     public RobotModel {
         chassis = chassis.stream().map(List::copyOf).toList();
         wheels = List.copyOf(wheels);
@@ -40,8 +40,8 @@ public record RobotModel(String name, List<List<Point2>> chassis, double massKil
      * @param headingRadians rolling direction, 0 = robot's forward
      * @param omni whether rollers let it slide sideways freely
      */
-    public record Wheel(String id, int port, MotorType motor, double diameterMetres, double gearRatio, boolean inverted, Point2 position,
-            double headingRadians, boolean omni) {}
+    public record Wheel(String id, int port, MotorType motor, double diameterMetres, double gearRatio, boolean inverted,
+            Point2 position, double headingRadians, boolean omni) {}
 
     /** A free support at a contact point; {@code dragCoefficient} is its friction coefficient. */
     public record Caster(String id, Point2 position, double dragCoefficient) {}
@@ -58,17 +58,21 @@ public record RobotModel(String name, List<List<Point2>> chassis, double massKil
      * @param outline drawn body; for touch sensors the bumper that must be hit
      * @param turret id of the turret that carries it
      */
-    public record SensorMount(String id, int port, SensorType type, Point2 position, double headingRadians, double heightMetres,
-            List<Point2> outline, Optional<String> turret) {
+    public record SensorMount(String id, int port, SensorType type, Point2 position, double headingRadians,
+            double heightMetres, List<Point2> outline, Optional<String> turret) {
         public SensorMount {
             outline = List.copyOf(outline);
         }
     }
 
     /** A group turned by a motor about a pivot; {@code outlines} collide and turn with it. */
-    public record Turret(String id, int port, MotorType motor, double gearRatio, boolean inverted, Point2 pivot, List<List<Point2>> outlines) {}
-
-    /** A claw or arm moved between two motor angles; open at {@code minDegrees}, closed at {@code maxDegrees}; {@code outlines} collide. */
-    public record Claw(String id, int port, MotorType motor, double minDegrees, double maxDegrees, boolean inverted, Point2 pivot,
+    public record Turret(String id, int port, MotorType motor, double gearRatio, boolean inverted, Point2 pivot,
             List<List<Point2>> outlines) {}
+
+    /**
+     * A claw or arm moved between two motor angles; open at {@code minDegrees}, closed at {@code maxDegrees};
+     * {@code outlines} collide.
+     */
+    public record Claw(String id, int port, MotorType motor, double minDegrees, double maxDegrees, boolean inverted,
+            Point2 pivot, List<List<Point2>> outlines) {}
 }

@@ -1,8 +1,8 @@
 package brickless.world;
 
 /**
- * The pixels of an image that lies on the floor. Sampled without smoothing (nearest pixel), so every machine reads the same colour.
- * Immutable.
+ * The pixels of an image that lies on the floor. Sampled without smoothing (nearest pixel), so every machine reads the
+ * same colour. Immutable.
  */
 public final class Texture {
     private final int width;
@@ -20,7 +20,8 @@ public final class Texture {
      */
     public Texture(int width, int height, int[] argb, double... toPixels) {
         if (width < 1 || height < 1 || argb.length != (long) width * height || toPixels.length != 6) {
-            throw new IllegalArgumentException("texture of " + width + " x " + height + " pixels with " + argb.length + " values");
+            throw new IllegalArgumentException("texture of " + width + " x " + height + " pixels with " + argb.length
+                    + " values");
         }
         this.width = width;
         this.height = height;

@@ -79,7 +79,8 @@ final class TilePainter {
     private static int[] packed(double[] rgb) {
         int[] tile = new int[SIDE * SIDE];
         for (int i = 0; i < tile.length; i++) {
-            tile[i] = rgb == null ? 0xFFFFFF : component(rgb[3 * i]) << 16 | component(rgb[3 * i + 1]) << 8 | component(rgb[3 * i + 2]);
+            tile[i] = rgb == null ? 0xFFFFFF
+                    : component(rgb[3 * i]) << 16 | component(rgb[3 * i + 1]) << 8 | component(rgb[3 * i + 2]);
         }
         return tile;
     }

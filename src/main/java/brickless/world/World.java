@@ -20,8 +20,9 @@ import java.util.Optional;
  * @param placements robots, in drawing order
  * @param svg the drawing's text with its images embedded, for pictures of a run
  */
-public record World(String name, double minX, double minY, double width, double height, List<Paint> floor, List<Obstacle> obstacles,
-        List<Zone> zones, List<Beacon> beacons, List<Lamp> lamps, Optional<Region> table, List<Placement> placements, String svg) {
+public record World(String name, double minX, double minY, double width, double height, List<Paint> floor,
+        List<Obstacle> obstacles, List<Zone> zones, List<Beacon> beacons, List<Lamp> lamps, Optional<Region> table,
+        List<Placement> placements, String svg) {
     public World {
         floor = List.copyOf(floor);
         obstacles = List.copyOf(obstacles);

@@ -99,12 +99,20 @@ class Plots {
       return;
     }
     context.font = '10.5px system-ui, sans-serif';
-    context.fillStyle = themeColour('--muted');
     context.textAlign = 'left';
     context.textBaseline = 'top';
-    context.fillText(number(plot.range.most, plot.places), 4, 3);
+    this.haloed(context, number(plot.range.most, plot.places), 4, 3);
     context.textBaseline = 'bottom';
-    context.fillText(number(plot.range.least, plot.places), 4, height - 2);
+    this.haloed(context, number(plot.range.least, plot.places), 4, height - 2);
+  }
+
+  /** Text that stays readable where a curve passes behind it. */
+  haloed(context, text, x, y) {
+    context.strokeStyle = themeColour('--surface');
+    context.lineWidth = 4;
+    context.strokeText(text, x, y);
+    context.fillStyle = themeColour('--muted');
+    context.fillText(text, x, y);
   }
 
   /** Where several samples fall on one pixel, a line from the least to the greatest, so that no peak is lost. */

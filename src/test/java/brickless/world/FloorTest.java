@@ -16,12 +16,13 @@ class FloorTest {
     private static final Rgb BLACK = new Rgb(0, 0, 0);
 
     private static Region.Filled box(double x, double y, double width, double height) {
-        return new Region.Filled(List.of(List.of(new Point2(x, y), new Point2(x + width, y), new Point2(x + width, y + height), new Point2(x, y + height))),
-                false);
+        return new Region.Filled(List.of(List.of(new Point2(x, y), new Point2(x + width, y),
+                new Point2(x + width, y + height), new Point2(x, y + height))), false);
     }
 
     private static World world(Optional<Region> table, Paint... paints) {
-        return new World("w", -0.5, -0.25, 2, 1, List.of(paints), List.of(), List.of(), List.of(), List.of(), table, List.of(), "");
+        return new World("w", -0.5, -0.25, 2, 1, List.of(paints), List.of(), List.of(), List.of(), List.of(), table,
+                List.of(), "");
     }
 
     private static Floor floor(Paint... paints) {
@@ -34,7 +35,8 @@ class FloorTest {
     }
 
     @Test void laterPaintLiesAbove() {
-        Floor floor = floor(new Paint("a", box(0, 0, 0.2, 0.2), BLACK, 1), new Paint("b", box(0.1, 0, 0.2, 0.2), new Rgb(10, 20, 30), 1));
+        Floor floor = floor(new Paint("a", box(0, 0, 0.2, 0.2), BLACK, 1),
+                new Paint("b", box(0.1, 0, 0.2, 0.2), new Rgb(10, 20, 30), 1));
         assertThat(floor.rgbAt(0.05, 0.1)).isZero();
         assertThat(floor.rgbAt(0.15, 0.1)).isEqualTo(0x0A141E);
         assertThat(floor.rgbAt(-0.05, 0.1)).isEqualTo(0xFFFFFF);
@@ -49,13 +51,15 @@ class FloorTest {
     }
 
     @Test void transparentPaintMixes() {
-        Floor floor = floor(new Paint("half", box(0, 0, 0.5, 0.5), BLACK, 0.5), new Paint("quarter", box(0.2, 0, 0.5, 0.5), new Rgb(255, 0, 0), 0.25));
+        Floor floor = floor(new Paint("half", box(0, 0, 0.5, 0.5), BLACK, 0.5),
+                new Paint("quarter", box(0.2, 0, 0.5, 0.5), new Rgb(255, 0, 0), 0.25));
         assertThat(floor.rgbAt(0.1, 0.1)).isEqualTo(0x808080);
         assertThat(floor.colourAt(0.3, 0.1)).as("127.5 x 0.75 + 255 x 0.25").isEqualTo(new Rgb(159, 96, 96));
     }
 
     @Test void outsideTheTableThereIsNoFloor() {
-        Floor floor = new Floor(world(Optional.of(box(0, 0, 0.5, 0.5)), new Paint("a", box(-1, -1, 3, 3), new Rgb(9, 9, 9), 1)));
+        Floor floor = new Floor(world(Optional.of(box(0, 0, 0.5, 0.5)),
+                new Paint("a", box(-1, -1, 3, 3), new Rgb(9, 9, 9), 1)));
         assertThat(floor.rgbAt(0.25, 0.25)).isEqualTo(0x090909);
         assertThat(floor.rgbAt(0.6, 0.25)).isEqualTo(Floor.NO_FLOOR);
         assertThat(floor.rgbAt(50, 50)).isEqualTo(Floor.NO_FLOOR);
@@ -81,7 +85,8 @@ class FloorTest {
             for (int k = 0; k < 3 + i; k++) {
                 ring.add(new Point2(random.nextDouble() * 2 - 0.5, random.nextDouble() - 0.25));
             }
-            Region region = i % 3 == 2 ? new Region.Stroked(List.of(ring), 0.03, i % 2 == 0) : new Region.Filled(List.of(ring), i % 3 == 0);
+            Region region = i % 3 == 2 ? new Region.Stroked(List.of(ring), 0.03, i % 2 == 0)
+                    : new Region.Filled(List.of(ring), i % 3 == 0);
             paints.add(new Paint("p" + i, region, new Rgb(i * 20, 255 - i * 20, i), 1));
         }
         Floor floor = floor(paints.toArray(Paint[]::new));
@@ -99,7 +104,8 @@ class FloorTest {
     }
 
     @Test void threadsSeeTheSameFloor() throws Exception {
-        Floor shared = floor(new Paint("a", box(0, 0, 0.7, 0.3), new Rgb(1, 2, 3), 0.4), new Paint("b", box(0.3, 0.1, 0.7, 0.3), BLACK, 0.3));
+        Floor shared = floor(new Paint("a", box(0, 0, 0.7, 0.3), new Rgb(1, 2, 3), 0.4),
+                new Paint("b", box(0.3, 0.1, 0.7, 0.3), BLACK, 0.3));
         Callable<Long> scan = () -> {
             long sum = 0;
             for (int i = 0; i < 40_000; i++) {

@@ -3,7 +3,9 @@ package brickless.world.svg;
 import brickless.units.Angles;
 import brickless.world.Point2;
 
-/** The map x' = a·x + c·y + e, y' = b·x + d·y + f, as SVG's {@code matrix(a b c d e f)}; the same bits on every machine. */
+/**
+ * The map x' = a·x + c·y + e, y' = b·x + d·y + f, as SVG's {@code matrix(a b c d e f)}; the same bits on every machine.
+ */
 record Affine(double a, double b, double c, double d, double e, double f) {
     static final Affine IDENTITY = new Affine(1, 0, 0, 1, 0, 0);
 
@@ -40,8 +42,8 @@ record Affine(double a, double b, double c, double d, double e, double f) {
 
     /** First {@code inner}, then this one: the meaning of nesting. */
     Affine then(Affine inner) {
-        return new Affine(a * inner.a + c * inner.b, b * inner.a + d * inner.b, a * inner.c + c * inner.d, b * inner.c + d * inner.d,
-                a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f);
+        return new Affine(a * inner.a + c * inner.b, b * inner.a + d * inner.b, a * inner.c + c * inner.d, b * inner.c
+                + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f);
     }
 
     Point2 apply(Point2 p) {

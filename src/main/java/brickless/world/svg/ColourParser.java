@@ -33,7 +33,8 @@ final class ColourParser {
         boolean brief = digits.length() < 6;
         int[] parts = new int[brief ? digits.length() : digits.length() / 2];
         for (int i = 0; i < parts.length; i++) {
-            parts[i] = brief ? Character.digit(digits.charAt(i), 16) * 17 : Integer.parseInt(digits.substring(2 * i, 2 * i + 2), 16);
+            parts[i] = brief ? Character.digit(digits.charAt(i), 16) * 17
+                    : Integer.parseInt(digits.substring(2 * i, 2 * i + 2), 16);
         }
         Colour colour = Colour.opaque(parts[0], parts[1], parts[2]);
         return parts.length == 4 ? new Colour(colour.rgb(), parts[3] / 255.0) : colour;
@@ -47,11 +48,13 @@ final class ColourParser {
         }
         double opacity = parts.length == 4 ? share(parts[3], 1, text) : 1;
         if (rgb) {
-            return new Colour(Colour.opaque(component(share(parts[0], 255, text)), component(share(parts[1], 255, text)),
-                    component(share(parts[2], 255, text))).rgb(), opacity);
+            return new Colour(Colour.opaque(component(share(parts[0], 255, text)),
+                    component(share(parts[1], 255, text)), component(share(parts[2], 255, text))).rgb(), opacity);
         }
-        double hue = number(parts[0].endsWith("deg") ? parts[0].substring(0, parts[0].length() - 3) : parts[0], text) / 360;
-        return new Colour(hsl(hue - Math.floor(hue), share(parts[1], 1, text), share(parts[2], 1, text)).rgb(), opacity);
+        double hue = number(parts[0].endsWith("deg") ? parts[0].substring(0, parts[0].length() - 3) : parts[0],
+                text) / 360;
+        return new Colour(hsl(hue - Math.floor(hue), share(parts[1], 1, text), share(parts[2], 1, text)).rgb(),
+                opacity);
     }
 
     private static Colour hsl(double hue, double saturation, double lightness) {
@@ -94,6 +97,7 @@ final class ColourParser {
 
     private static MalformedValueException unknown(String text) {
         return new MalformedValueException("\"" + LengthParser.shortened(text)
-                + "\" is not a colour; allowed: a name such as red, #rgb, #rrggbb, rgb(), hsl(), none" + Suggestion.nearest(text, NamedColours.names()));
+                + "\" is not a colour; allowed: a name such as red, #rgb, #rrggbb, rgb(), hsl(), none"
+                        + Suggestion.nearest(text, NamedColours.names()));
     }
 }

@@ -18,7 +18,8 @@ final class Dashes {
         this.budget = budget;
     }
 
-    static List<SubPath> split(List<SubPath> lines, List<Double> pattern, double offset, PointBudget budget) throws MalformedValueException {
+    static List<SubPath> split(List<SubPath> lines, List<Double> pattern, double offset, PointBudget budget)
+            throws MalformedValueException {
         Dashes dashes = new Dashes(pattern, budget);
         for (SubPath line : lines) {
             dashes.walk(line, offset);
@@ -55,7 +56,8 @@ final class Dashes {
         double done = 0;
         while (length - done > left) {
             done += left;
-            Point2 cut = new Point2(from.x() + (to.x() - from.x()) * done / length, from.y() + (to.y() - from.y()) * done / length);
+            Point2 cut = new Point2(from.x() + (to.x() - from.x()) * done / length, from.y()
+                    + (to.y() - from.y()) * done / length);
             dash.add(cut);
             finish();
             budget.spend(2);

@@ -11,9 +11,10 @@ import java.util.TreeSet;
 /** Walks a drawing in painting order, resolving groups, {@code use}, nested viewports, transforms and styles. */
 final class DrawingWalker {
     /** Elements that draw nothing themselves, or only decoration that no sensor sees (text). */
-    private static final Set<String> NOT_DRAWN = Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern", "linearGradient", "radialGradient",
-            "meshgradient", "hatch", "style", "title", "desc", "metadata", "script", "text", "filter", "foreignObject", "view", "cursor", "font",
-            "font-face", "animate", "animateMotion", "animateTransform", "set", "animateColor", "color-profile", "solidcolor", "solidColor");
+    private static final Set<String> NOT_DRAWN = Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern",
+            "linearGradient", "radialGradient", "meshgradient", "hatch", "style", "title", "desc", "metadata", "script",
+            "text", "filter", "foreignObject", "view", "cursor", "font", "font-face", "animate", "animateMotion",
+            "animateTransform", "set", "animateColor", "color-profile", "solidcolor", "solidColor");
     private static final Set<String> CONTAINERS = Set.of("g", "a", "svg", "use", "switch");
 
     private final SvgDocument document;
@@ -74,7 +75,8 @@ final class DrawingWalker {
     SvgElement target(SvgElement use) throws DescriptionException {
         String href = use.attributes().getOrDefault("href", "");
         if (!href.startsWith("#")) {
-            throw document.error(use, "use refers to \"" + LengthParser.shortened(href) + "\"; allowed: #id of an element in the same drawing");
+            throw document.error(use, "use refers to \"" + LengthParser.shortened(href)
+                    + "\"; allowed: #id of an element in the same drawing");
         }
         SvgElement target = document.byId().get(href.substring(1));
         if (target == null) {
@@ -133,7 +135,8 @@ final class DrawingWalker {
         }
     }
 
-    private void use(SvgElement element, Scope scope, DrawingVisitor visitor) throws DescriptionException, MalformedValueException {
+    private void use(SvgElement element, Scope scope, DrawingVisitor visitor)
+            throws DescriptionException, MalformedValueException {
         SvgElement target = target(element);
         if (expanding.contains(target) || expanding.size() >= Limits.NESTING) {
             throw new MalformedValueException("use of #" + target.id() + " leads back to itself");
@@ -150,8 +153,12 @@ final class DrawingWalker {
         expanding.pop();
     }
 
-    /** A symbol or inner svg: its viewBox is fitted into the size given by {@code sized}. Nothing is cut off at its edge. */
-    private void nested(SvgElement element, SvgElement sized, Scope scope, DrawingVisitor visitor) throws DescriptionException, MalformedValueException {
+    /**
+     * A symbol or inner svg: its viewBox is fitted into the size given by {@code sized}. Nothing is cut off at its
+     * edge.
+     */
+    private void nested(SvgElement element, SvgElement sized, Scope scope, DrawingVisitor visitor)
+            throws DescriptionException, MalformedValueException {
         boolean symbol = element != sized;
         double x = symbol ? 0 : viewport.x(element, "x", 0);
         double y = symbol ? 0 : viewport.y(element, "y", 0);
@@ -165,24 +172,28 @@ final class DrawingWalker {
         children(element, scope.moved(placed), visitor);
     }
 
-    private double size(SvgElement element, SvgElement sized, String attribute, double reference) throws MalformedValueException {
+    private double size(SvgElement element, SvgElement sized, String attribute, double reference)
+            throws MalformedValueException {
         double first = viewport.size(sized, attribute, reference);
         double second = Double.isNaN(first) ? viewport.size(element, attribute, reference) : first;
         return Double.isNaN(second) ? reference : second;
     }
 
-    private void shape(SvgElement element, Scope scope, DrawingVisitor visitor) throws DescriptionException, MalformedValueException {
+    private void shape(SvgElement element, Scope scope, DrawingVisitor visitor)
+            throws DescriptionException, MalformedValueException {
         if (scope.style().visible()) {
             double scale = scope.toPage().greatestScale();
             double tolerance = scale > 0 ? Limits.FLATNESS_MILLIMETRES / scale : 1;
-            visitor.shape(new DrawnShape(element, scope, ShapeGeometry.of(element, viewport, tolerance, budget), tolerance, budget));
+            visitor.shape(new DrawnShape(element, scope, ShapeGeometry.of(element, viewport, tolerance, budget),
+                    tolerance, budget));
         }
     }
 
     private DescriptionException unknownElement(SvgElement element) {
         Set<String> known = new TreeSet<>(ShapeGeometry.SHAPES);
         known.addAll(CONTAINERS);
-        return document.error(element, "<" + element.name() + "> is not an element that can be drawn" + Suggestion.nearest(element.name(), known)
+        return document.error(element, "<" + element.name() + "> is not an element that can be drawn"
+                + Suggestion.nearest(element.name(), known)
                 + "; allowed: " + String.join(", ", known));
     }
 }

@@ -56,7 +56,8 @@ record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double t
     /** Refuses what would make the drawing look different from what is simulated. */
     void refuseClipping() throws MalformedValueException {
         if (scope.style().clipped()) {
-            throw new MalformedValueException("clip-path and mask are not supported; cut the shape itself (Inkscape: Path > Intersection)");
+            throw new MalformedValueException(
+                    "clip-path and mask are not supported; cut the shape itself (Inkscape: Path > Intersection)");
         }
     }
 
@@ -73,6 +74,7 @@ record DrawnShape(SvgElement element, Scope scope, List<SubPath> paths, double t
     }
 
     private static List<Point2> metres(List<Point2> points) {
-        return points.stream().map(p -> new Point2(Lengths.metresFromMillimetres(p.x()), Lengths.metresFromMillimetres(p.y()))).toList();
+        return points.stream().map(p -> new Point2(Lengths.metresFromMillimetres(p.x()),
+                Lengths.metresFromMillimetres(p.y()))).toList();
     }
 }

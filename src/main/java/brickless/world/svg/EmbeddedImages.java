@@ -4,9 +4,13 @@ import java.util.Base64;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Puts the images that lie beside a drawing into its text, so that the text alone shows the whole drawing. Lines keep their numbers. */
+/**
+ * Puts the images that lie beside a drawing into its text, so that the text alone shows the whole drawing. Lines keep
+ * their numbers.
+ */
 final class EmbeddedImages {
-    private static final Pattern IMAGE = Pattern.compile("<(?:\\w+:)?image\\b[^<>]*?\\bhref\\s*=\\s*([\"'])(?!data:|#)([^\"']*)\\1");
+    private static final Pattern IMAGE = Pattern.compile(
+            "<(?:\\w+:)?image\\b[^<>]*?\\bhref\\s*=\\s*([\"'])(?!data:|#)([^\"']*)\\1");
 
     private EmbeddedImages() {}
 
@@ -28,7 +32,8 @@ final class EmbeddedImages {
             String type = bytes.length > 1 && bytes[0] == (byte) 0xFF && bytes[1] == (byte) 0xD8 ? "jpeg" : "png";
             return "data:image/" + type + ";base64," + Base64.getEncoder().encodeToString(bytes);
         } catch (MalformedValueException e) {
-            // Only an image that nothing shows, as inside an unused definition, gets here: the others were read when the drawing was.
+            // Only an image that nothing shows, as inside an unused definition, gets here: the others were read when
+            // the drawing was.
             return href;
         }
     }

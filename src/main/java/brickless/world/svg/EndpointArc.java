@@ -6,7 +6,8 @@ import brickless.world.Point2;
 final class EndpointArc {
     private EndpointArc() {}
 
-    static void draw(Flattener out, double rxGiven, double ryGiven, double degrees, boolean large, boolean sweep, Point2 to)
+    static void draw(Flattener out, double rxGiven, double ryGiven, double degrees, boolean large, boolean sweep,
+            Point2 to)
             throws MalformedValueException {
         Point2 from = out.pen();
         if (from.equals(to)) {
@@ -34,7 +35,8 @@ final class EndpointArc {
         } else if (!sweep && delta > 0) {
             delta -= 2 * Math.PI;
         }
-        Affine centred = Affine.translate((from.x() + to.x()) / 2, (from.y() + to.y()) / 2).then(turn).then(Affine.scale(rx, ry))
+        Affine centred = Affine.translate((from.x() + to.x()) / 2, (from.y() + to.y()) / 2).then(turn)
+                .then(Affine.scale(rx, ry))
                 .then(Affine.translate(cx, cy));
         out.arc(centred, first, delta, to);
     }

@@ -62,12 +62,15 @@ final class Flattener {
             double w1 = 3 * s * s * t;
             double w2 = 3 * s * t * t;
             double w3 = t * t * t;
-            lineTo(new Point2(w0 * p.x() + w1 * c1.x() + w2 * c2.x() + w3 * to.x(), w0 * p.y() + w1 * c1.y() + w2 * c2.y() + w3 * to.y()));
+            lineTo(new Point2(w0 * p.x() + w1 * c1.x() + w2 * c2.x() + w3 * to.x(), w0 * p.y() + w1 * c1.y()
+                    + w2 * c2.y() + w3 * to.y()));
         }
         lineTo(to);
     }
 
-    /** The arc of an ellipse; angles in radians in the ellipse's own parameter, {@code axes} maps the unit circle to it. */
+    /**
+     * The arc of an ellipse; angles in radians in the ellipse's own parameter, {@code axes} maps the unit circle to it.
+     */
     void arc(Affine axes, double fromRadians, double sweepRadians, Point2 end) throws MalformedValueException {
         double radius = axes.greatestScale();
         double step = radius <= tolerance ? Math.PI / 4 : 2 * StrictMath.acos(1 - tolerance / radius);

@@ -11,7 +11,8 @@ import java.util.List;
 final class FloorPaints {
     private FloorPaints() {}
 
-    static List<Paint> of(SvgDocument document, DrawnShape shape, String id) throws DescriptionException, MalformedValueException {
+    static List<Paint> of(SvgDocument document, DrawnShape shape, String id)
+            throws DescriptionException, MalformedValueException {
         Style style = shape.scope().style();
         List<List<Point2>> rings = shape.fillRings();
         List<Paint> paints = new ArrayList<>();
@@ -22,12 +23,14 @@ final class FloorPaints {
             return paints;
         }
         if (style.fill().isPresent() && !rings.isEmpty()) {
-            add(paints, id, new Region.Filled(rings, style.evenOdd()), style.fill().get(), style.fillOpacity() * style.opacity());
+            add(paints, id, new Region.Filled(rings, style.evenOdd()), style.fill().get(),
+                    style.fillOpacity() * style.opacity());
         }
         if (style.stroke().isPresent()) {
             List<List<Point2>> pieces = shape.strokePieces();
             if (!pieces.isEmpty()) {
-                add(paints, id, new Region.Filled(pieces, false), style.stroke().get(), style.strokeOpacity() * style.opacity());
+                add(paints, id, new Region.Filled(pieces, false), style.stroke().get(),
+                        style.strokeOpacity() * style.opacity());
             }
         }
         return paints;

@@ -12,6 +12,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.TopologyException;
 import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
 
@@ -21,13 +22,14 @@ final class HoleCutter {
 
     private HoleCutter() {}
 
-    static List<List<Point2>> cut(List<List<Point2>> shells, List<List<Point2>> holes) {
+    static List<List<Point2>> cut(List<List<Point2>> shells, List<List<Point2>> holes) throws MalformedValueException {
         List<List<Point2>> out = new ArrayList<>();
         List<Polygon> outers = shells.stream().map(shell -> GEOMETRY.createPolygon(ring(shell))).toList();
         Map<Polygon, List<LinearRing>> holesOf = new IdentityHashMap<>();
         for (List<Point2> hole : holes) {
             LinearRing ring = ring(hole);
-            outers.stream().filter(outer -> outer.getEnvelopeInternal().contains(ring.getEnvelopeInternal()) && outer.contains(ring))
+            outers.stream().filter(outer -> outer.getEnvelopeInternal().contains(ring.getEnvelopeInternal())
+                    && outer.contains(ring))
                     .min(Comparator.comparingDouble(Polygon::getArea))
                     .ifPresent(outer -> holesOf.computeIfAbsent(outer, key -> new ArrayList<>()).add(ring));
         }
@@ -38,7 +40,7 @@ final class HoleCutter {
         return out;
     }
 
-    private static void open(Polygon polygon, List<List<Point2>> out) {
+    private static void open(Polygon polygon, List<List<Point2>> out) throws MalformedValueException {
         if (polygon.getNumInteriorRing() == 0) {
             out.add(points(polygon.getExteriorRing().getCoordinates()));
             return;
@@ -50,12 +52,21 @@ final class HoleCutter {
         half(polygon, new Envelope(x, all.getMaxX() + 1, all.getMinY() - 1, all.getMaxY() + 1), out);
     }
 
-    private static void half(Polygon polygon, Envelope side, List<List<Point2>> out) {
-        Geometry part = OverlayNGRobust.overlay(polygon, GEOMETRY.toGeometry(side), OverlayNG.INTERSECTION);
+    private static void half(Polygon polygon, Envelope side, List<List<Point2>> out)
+            throws MalformedValueException {
+        Geometry part = intersection(polygon, side);
         for (int i = 0; i < part.getNumGeometries(); i++) {
             if (part.getGeometryN(i) instanceof Polygon piece && !piece.isEmpty()) {
                 open(piece, out);
             }
+        }
+    }
+
+    private static Geometry intersection(Polygon polygon, Envelope side) throws MalformedValueException {
+        try {
+            return OverlayNGRobust.overlay(polygon, GEOMETRY.toGeometry(side), OverlayNG.INTERSECTION);
+        } catch (TopologyException e) {
+            throw new MalformedValueException("the holes of a solid shape lie too close to its outline or to each other");
         }
     }
 

@@ -14,7 +14,8 @@ import java.util.Optional;
 final class ImagePaint {
     private ImagePaint() {}
 
-    static Paint of(SvgDocument document, DrawnShape shape, String id) throws DescriptionException, MalformedValueException {
+    static Paint of(SvgDocument document, DrawnShape shape, String id)
+            throws DescriptionException, MalformedValueException {
         SvgElement element = shape.element();
         Affine toPage = shape.scope().toPage();
         if (toPage.isSingular()) {
@@ -23,13 +24,15 @@ final class ImagePaint {
         ImagePixels pixels = ImageSource.load(document, element);
         Point2 corner = shape.paths().get(0).points().get(0);
         Point2 opposite = shape.paths().get(0).points().get(2);
-        Affine fit = new ViewBox(0, 0, pixels.width(), pixels.height()).fitInto(corner.x(), corner.y(), opposite.x() - corner.x(),
+        Affine fit = new ViewBox(0, 0, pixels.width(), pixels.height())
+                .fitInto(corner.x(), corner.y(), opposite.x() - corner.x(),
                 opposite.y() - corner.y(), element.attributes().getOrDefault("preserveAspectRatio", "xMidYMid meet"));
         Affine pixelsToMetres = Affine.scale(0.001, 0.001).then(toPage).then(fit);
         Affine back = pixelsToMetres.inverse();
-        Texture texture = new Texture(pixels.width(), pixels.height(), pixels.argb(), back.a(), back.b(), back.c(), back.d(), back.e(), back.f());
-        return new Paint(id, new Region.Filled(List.of(covered(pixels, fit, corner, opposite, toPage)), false), new Rgb(128, 128, 128),
-                shape.scope().style().opacity(), Optional.of(texture));
+        Texture texture = new Texture(pixels.width(), pixels.height(), pixels.argb(), back.a(), back.b(), back.c(),
+                back.d(), back.e(), back.f());
+        return new Paint(id, new Region.Filled(List.of(covered(pixels, fit, corner, opposite, toPage)), false),
+                new Rgb(128, 128, 128), shape.scope().style().opacity(), Optional.of(texture));
     }
 
     /** The image's rectangle cut to the element's own (they differ when proportions do). */
@@ -41,7 +44,8 @@ final class ImagePaint {
         double maxX = Math.min(last.x(), opposite.x());
         double maxY = Math.min(last.y(), opposite.y());
         List<Point2> ring = new ArrayList<>();
-        for (Point2 p : List.of(new Point2(minX, minY), new Point2(maxX, minY), new Point2(maxX, maxY), new Point2(minX, maxY))) {
+        for (Point2 p : List.of(new Point2(minX, minY), new Point2(maxX, minY), new Point2(maxX, maxY),
+                new Point2(minX, maxY))) {
             ring.add(Affine.scale(0.001, 0.001).apply(toPage.apply(p)));
         }
         return ring;

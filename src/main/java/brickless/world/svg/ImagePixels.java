@@ -12,8 +12,8 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
- * Decoded pixels, 0xAARRGGBB. Grey and RGB samples are taken as stored, without colour management, so that PNG decodes to the same numbers
- * everywhere; JPEG may differ by a step between Java versions.
+ * Decoded pixels, 0xAARRGGBB. Grey and RGB samples are taken as stored, without colour management, so that PNG decodes
+ * to the same numbers everywhere; JPEG may differ by a step between Java versions.
  */
 record ImagePixels(int width, int height, int[] argb) {
     static ImagePixels decode(byte[] bytes) throws MalformedValueException {
@@ -45,7 +45,8 @@ record ImagePixels(int width, int height, int[] argb) {
 
     private static void refuseHuge(int width, int height) throws MalformedValueException {
         if ((long) width * height > Limits.IMAGE_PIXELS) {
-            throw new MalformedValueException("the image has " + width + " x " + height + " pixels; allowed: up to " + Limits.IMAGE_PIXELS
+            throw new MalformedValueException("the image has " + width + " x " + height + " pixels; allowed: up to "
+                    + Limits.IMAGE_PIXELS
                     + " pixels (1 pixel per millimetre is plenty)");
         }
     }

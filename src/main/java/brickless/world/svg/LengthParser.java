@@ -2,7 +2,10 @@ package brickless.world.svg;
 
 import brickless.units.Lengths;
 
-/** Reads a length: user units (= millimetres), or with a unit mm, cm, in, pt, pc, px (= user unit), or % of a reference length. */
+/**
+ * Reads a length: user units (= millimetres), or with a unit mm, cm, in, pt, pc, px (= user unit), or % of a reference
+ * length.
+ */
 final class LengthParser {
     private static final double POINTS_PER_INCH = 72;
 
@@ -26,7 +29,8 @@ final class LengthParser {
             default -> Double.NaN;
         };
         if (Double.isNaN(factor)) {
-            throw new MalformedValueException(attribute + "=\"" + shortened(text) + "\": unit is not supported here; allowed: none, mm, cm, in, pt, pc, px"
+            throw new MalformedValueException(attribute + "=\"" + shortened(text)
+                    + "\": unit is not supported here; allowed: none, mm, cm, in, pt, pc, px"
                     + (Double.isNaN(reference) ? "" : ", %"));
         }
         return value * factor;

@@ -4,7 +4,10 @@ import brickless.units.Lengths;
 import brickless.world.Point2;
 import java.util.List;
 
-/** The smallest box around shapes, upright in the coordinate system of the element that carries them (millimetres before its transform). */
+/**
+ * The smallest box around shapes, upright in the coordinate system of the element that carries them (millimetres before
+ * its transform).
+ */
 record LocalBox(double minX, double minY, double maxX, double maxY, Affine toPage) {
     static LocalBox of(Scope carrier, List<DrawnShape> shapes) throws MalformedValueException {
         if (carrier.toPage().isSingular()) {
@@ -16,7 +19,8 @@ record LocalBox(double minX, double minY, double maxX, double maxY, Affine toPag
         double maxX = Double.NEGATIVE_INFINITY;
         double maxY = Double.NEGATIVE_INFINITY;
         for (DrawnShape shape : shapes) {
-            Affine toLocal = shape.scope().toPage().equals(carrier.toPage()) ? Affine.IDENTITY : fromPage.then(shape.scope().toPage());
+            Affine toLocal = shape.scope().toPage().equals(carrier.toPage()) ? Affine.IDENTITY
+                    : fromPage.then(shape.scope().toPage());
             for (SubPath path : shape.paths()) {
                 for (Point2 point : path.points()) {
                     Point2 p = toLocal.apply(point);
@@ -49,7 +53,8 @@ record LocalBox(double minX, double minY, double maxX, double maxY, Affine toPag
 
     /** Its four corners, clockwise before a mirroring transform, metres on the page. */
     List<Point2> outline() {
-        return List.of(metres(new Point2(minX, minY)), metres(new Point2(maxX, minY)), metres(new Point2(maxX, maxY)), metres(new Point2(minX, maxY)));
+        return List.of(metres(new Point2(minX, minY)), metres(new Point2(maxX, minY)), metres(new Point2(maxX, maxY)),
+                metres(new Point2(minX, maxY)));
     }
 
     private Point2 metres(Point2 local) {

@@ -1,15 +1,22 @@
 package brickless.world.svg;
 
 import brickless.world.DescriptionException;
+import java.math.BigDecimal;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** The {@code data-*} attributes in force at an element: its own and those of its groups. Errors point at the element that says so. */
+/**
+ * The {@code data-*} attributes in force at an element: its own and those of its groups. Errors point at the element
+ * that says so.
+ */
 final class Meaning {
     /** What a shape is. An element that states one of these is no longer what its groups say. */
-    private static final Set<String> KINDS = Set.of("data-solid", "data-zone", "data-edge", "data-beacon", "data-lamp-lux");
+    private static final Set<String> KINDS = Set.of("data-solid", "data-zone", "data-edge", "data-beacon",
+            "data-lamp-lux");
 
     private record Entry(String value, SvgElement source) {}
 
@@ -76,8 +83,8 @@ final class Meaning {
             number = Double.NaN;
         }
         if (!(number >= least && number <= greatest)) {
-            throw error(name, name + "=\"" + LengthParser.shortened(value) + "\" is not a number in range; allowed: " + plain(least) + " to "
-                    + plain(greatest));
+            throw error(name, name + "=\"" + LengthParser.shortened(value) + "\" is not a number in range; allowed: "
+                    + plain(least) + " to " + plain(greatest));
         }
         return number;
     }
@@ -100,10 +107,10 @@ final class Meaning {
                 return value;
             }
         }
-        Set<String> shown = new java.util.LinkedHashSet<>(java.util.Arrays.asList(allowed));
+        Set<String> shown = new LinkedHashSet<>(Arrays.asList(allowed));
         shown.remove("");
-        throw error(name, name + "=\"" + LengthParser.shortened(value) + "\" is not known" + Suggestion.nearest(value, shown) + "; allowed: "
-                + String.join(", ", shown));
+        throw error(name, name + "=\"" + LengthParser.shortened(value) + "\" is not known"
+                + Suggestion.nearest(value, shown) + "; allowed: " + String.join(", ", shown));
     }
 
     /** The error for the value of an attribute that is present. */
@@ -112,6 +119,7 @@ final class Meaning {
     }
 
     private static String plain(double value) {
-        return value == Math.rint(value) ? Long.toString((long) value) : java.math.BigDecimal.valueOf(value).toPlainString();
+        boolean whole = value == Math.rint(value);
+        return whole ? Long.toString((long) value) : BigDecimal.valueOf(value).toPlainString();
     }
 }

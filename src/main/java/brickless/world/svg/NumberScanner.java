@@ -1,6 +1,9 @@
 package brickless.world.svg;
 
-/** Reads numbers from path data, transforms, point lists: {@code 1-2.5.5e3} is four numbers 1, -2.5, .5e3 … as SVG defines. */
+/**
+ * Reads numbers from path data, transforms, point lists: {@code 1-2.5.5e3} is four numbers 1, -2.5, .5e3 … as SVG
+ * defines.
+ */
 final class NumberScanner {
     private final String text;
     private int position;
@@ -61,7 +64,8 @@ final class NumberScanner {
         exponent();
         double value = Double.parseDouble(text.substring(start, position));
         if (!(Math.abs(value) <= Limits.COORDINATE)) {
-            throw new MalformedValueException("the number " + text.substring(start, position) + " is out of range; allowed: up to 10000000");
+            throw new MalformedValueException("the number " + text.substring(start, position)
+                    + " is out of range; allowed: up to 10000000");
         }
         return value;
     }
@@ -91,7 +95,8 @@ final class NumberScanner {
     }
 
     String quoteFrom(int start) {
-        return start >= text.length() ? "the end" : "\"" + text.substring(start, Math.min(text.length(), start + 12)).replaceAll("\\s", " ") + "\"";
+        return start >= text.length() ? "the end" : "\"" + text.substring(start, Math.min(text.length(), start + 12))
+                .replaceAll("\\s", " ") + "\"";
     }
 
     private void exponent() {

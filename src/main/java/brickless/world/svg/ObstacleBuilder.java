@@ -1,5 +1,6 @@
 package brickless.world.svg;
 
+import brickless.units.Lengths;
 import brickless.world.DescriptionException;
 import brickless.world.Obstacle;
 import brickless.world.Point2;
@@ -20,7 +21,8 @@ final class ObstacleBuilder {
     private ObstacleBuilder() {}
 
     static boolean isSolid(Meaning meaning) throws DescriptionException {
-        return meaning.has("data-solid") && !meaning.choice("data-solid", "fixed", "fixed", "movable", "none").equals("none");
+        return meaning.has("data-solid")
+                && !meaning.choice("data-solid", "fixed", "fixed", "movable", "none").equals("none");
     }
 
     static Obstacle build(SvgDocument document, String id, List<DrawnShape> shapes) throws DescriptionException {
@@ -33,11 +35,12 @@ final class ObstacleBuilder {
             }
         }
         Meaning meaning = shapes.get(0).scope().meaning();
-        double height = brickless.units.Lengths.metresFromMillimetres(meaning.number("data-height-mm", HEIGHT_MILLIMETRES, 1, 10_000));
+        double height = Lengths.metresFromMillimetres(meaning.number("data-height-mm", HEIGHT_MILLIMETRES, 1, 10_000));
         double area = outlines.stream().mapToDouble(ring -> Rings.doubleArea(ring) / 2).sum();
         double usual = Math.max(LEAST_MASS, Math.min(GREATEST_MASS, area * height * DENSITY));
-        return new Obstacle(id, outlines, meaning.choice("data-solid", "fixed", "fixed", "movable", "none").equals("movable"),
-                meaning.number("data-mass-kg", usual, LEAST_MASS, GREATEST_MASS), height, meaning.number("data-friction", FRICTION, 0, 5),
+        boolean movable = meaning.choice("data-solid", "fixed", "fixed", "movable", "none").equals("movable");
+        double mass = meaning.number("data-mass-kg", usual, LEAST_MASS, GREATEST_MASS);
+        return new Obstacle(id, outlines, movable, mass, height, meaning.number("data-friction", FRICTION, 0, 5),
                 meaning.flag("data-sound-absorbing"), WorldAssembler.shownColour(shapes.get(0)));
     }
 }

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Colours by reference. A gradient counts as its average colour: a sensor reads one number, and the result must not depend on a renderer. */
+/**
+ * Colours by reference. A gradient counts as its average colour: a sensor reads one number, and the result must not
+ * depend on a renderer.
+ */
 final class PaintServers {
     private record Stop(double offset, Colour colour) {}
 
@@ -30,13 +33,15 @@ final class PaintServers {
         String fallback = value.substring(close + 1).strip();
         if (server == null) {
             if (fallback.isEmpty()) {
-                throw new MalformedValueException("\"" + LengthParser.shortened(value) + "\": no gradient with this id in the drawing");
+                throw new MalformedValueException("\"" + LengthParser.shortened(value)
+                        + "\": no gradient with this id in the drawing");
             }
             return fallback.equals("none") ? Optional.empty() : Optional.of(ColourParser.parse(fallback));
         }
         return switch (server.name()) {
             case "linearGradient", "radialGradient" -> average(stops(server, current, new HashSet<>()));
-            default -> throw new MalformedValueException("fill with <" + server.name() + "> is not supported; allowed: colours and gradients"
+            default -> throw new MalformedValueException("fill with <" + server.name()
+                    + "> is not supported; allowed: colours and gradients"
                     + " (a gradient counts as its average colour)");
         };
     }
@@ -63,7 +68,8 @@ final class PaintServers {
         Colour base = colour.equalsIgnoreCase("currentColor") ? current : ColourParser.parse(colour);
         double opacity = LengthParser.parse("stop-opacity", property(element, "stop-opacity", "1"), 1);
         double offset = LengthParser.parse("offset", element.attributes().getOrDefault("offset", "0"), 1);
-        return new Stop(Math.max(atLeast, Math.min(1, offset)), new Colour(base.rgb(), base.opacity() * Math.max(0, Math.min(1, opacity))));
+        return new Stop(Math.max(atLeast, Math.min(1, offset)),
+                new Colour(base.rgb(), base.opacity() * Math.max(0, Math.min(1, opacity))));
     }
 
     private String property(SvgElement element, String name, String fallback) {

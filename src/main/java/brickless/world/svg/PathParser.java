@@ -34,7 +34,8 @@ final class PathParser {
                     throw new MalformedValueException("path data must begin with M");
                 }
             } else if (command == '\0' || Character.toUpperCase(command) == 'Z' || !in.numberAhead()) {
-                throw new MalformedValueException("path data: a command is expected at " + in.quoteFrom(start) + "; allowed: " + COMMANDS);
+                throw new MalformedValueException("path data: a command is expected at " + in.quoteFrom(start)
+                        + "; allowed: " + COMMANDS);
             } else if (Character.toUpperCase(command) == 'M') {
                 command = command == 'M' ? 'L' : 'l';
             }

@@ -12,7 +12,8 @@ final class PlacementReader {
             throws DescriptionException, MalformedValueException {
         String name = scope.meaning().name("data-robot");
         if (!element.name().equals("g") && !element.name().equals("use")) {
-            throw new MalformedValueException("data-robot on <" + element.name() + ">; allowed on: g, use (their transform is the start pose)");
+            throw new MalformedValueException("data-robot on <" + element.name()
+                    + ">; allowed on: g, use (their transform is the start pose)");
         }
         if (scope.toPage().determinant() <= 1e-9) {
             throw new MalformedValueException("the robot " + name + " is mirrored or squeezed flat by its transform");
@@ -21,6 +22,7 @@ final class PlacementReader {
             throw new MalformedValueException("two robots are called " + name + "; give each its own data-robot name");
         }
         Meaning own = Meaning.none(document).with(element);
-        return new Placement(name, WorldAssembler.pose(scope.toPage()), own.text("data-model"), own.text("data-program"));
+        return new Placement(name, WorldAssembler.pose(scope.toPage()), own.text("data-model"),
+                own.text("data-program"));
     }
 }

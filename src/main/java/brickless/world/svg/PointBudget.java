@@ -8,13 +8,15 @@ final class PointBudget {
     void spend(int count) throws MalformedValueException {
         points -= count;
         if (points < 0) {
-            throw new MalformedValueException("the drawing has more than " + Limits.POINTS + " points after curves are flattened");
+            throw new MalformedValueException("the drawing has more than " + Limits.POINTS
+                    + " points after curves are flattened");
         }
     }
 
     void visit() throws MalformedValueException {
         if (--visits < 0) {
-            throw new MalformedValueException("the drawing has more than " + Limits.VISITS + " elements after use is expanded");
+            throw new MalformedValueException("the drawing has more than " + Limits.VISITS
+                    + " elements after use is expanded");
         }
     }
 }

@@ -5,11 +5,15 @@ import brickless.world.Region;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Sorts rings that do not cross into bodies and holes by the fill rule, and opens bodies with holes so that each piece is a plain polygon. */
+/**
+ * Sorts rings that do not cross into bodies and holes by the fill rule, and opens bodies with holes so that each piece
+ * is a plain polygon.
+ */
 final class RingNesting {
     private RingNesting() {}
 
-    static List<List<Point2>> polygons(List<List<Point2>> rings, boolean evenOdd) {
+    static List<List<Point2>> polygons(List<List<Point2>> rings, boolean evenOdd)
+            throws MalformedValueException {
         List<List<Point2>> shells = new ArrayList<>();
         List<List<Point2>> holes = new ArrayList<>();
         for (List<Point2> ring : rings) {

@@ -20,7 +20,10 @@ final class Rings {
         return sum;
     }
 
-    /** Whether all points lie on one line, so that the ring has no inside. (A bow tie has one, although its signed area is 0.) */
+    /**
+     * Whether all points lie on one line, so that the ring has no inside. (A bow tie has one, although its signed area
+     * is 0.)
+     */
     static boolean isFlat(List<Point2> ring, double nearest) {
         Point2 first = ring.get(0);
         Point2 far = first;
@@ -68,8 +71,10 @@ final class Rings {
             Point2 before = kept.isEmpty() ? ring.get(n - 1) : kept.get(kept.size() - 1);
             Point2 here = ring.get(i);
             Point2 after = ring.get((i + 1) % n);
-            double cross = (here.x() - before.x()) * (after.y() - here.y()) - (here.y() - before.y()) * (after.x() - here.x());
-            double dot = (here.x() - before.x()) * (after.x() - here.x()) + (here.y() - before.y()) * (after.y() - here.y());
+            double cross = (here.x() - before.x()) * (after.y() - here.y())
+                    - (here.y() - before.y()) * (after.x() - here.x());
+            double dot = (here.x() - before.x()) * (after.x() - here.x())
+                    + (here.y() - before.y()) * (after.y() - here.y());
             if (Math.abs(cross) > nearest * distance(before, after) || dot < 0) {
                 kept.add(here);
             }

@@ -53,16 +53,20 @@ final class RobotAssembler implements DrawingVisitor {
         if (chassis.isEmpty()) {
             throw document.error(document.root(), "the robot has no data-part=\"chassis\"");
         }
-        return new RobotModel(SvgDocument.nameOf(document.file()), chassis, mass, wheels, casters, sensors, turrets, claws, EmbeddedImages.textOf(document));
+        return new RobotModel(SvgDocument.nameOf(document.file()), chassis, mass, wheels, casters, sensors, turrets,
+                claws, EmbeddedImages.textOf(document));
     }
 
-    @Override public boolean enter(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
+    @Override public boolean enter(SvgElement element, Scope scope)
+            throws DescriptionException, MalformedValueException {
         if (!element.has("data-part")) {
             return false;
         }
         String kind = element.attribute("data-part");
-        if (!kind.equals("sensor") && (turret.isPresent() || body != null && !kind.equals("wheel") && !kind.equals("caster"))) {
-            throw new MalformedValueException("a " + kind + " cannot be inside another part; allowed inside a turret: sensor");
+        if (!kind.equals("sensor") && (turret.isPresent() || body != null && !kind.equals("wheel")
+                && !kind.equals("caster"))) {
+            throw new MalformedValueException("a " + kind
+                    + " cannot be inside another part; allowed inside a turret: sensor");
         }
         switch (kind) {
             case "chassis" -> chassis(element, scope);
@@ -72,7 +76,8 @@ final class RobotAssembler implements DrawingVisitor {
             case "sensor" -> sensor(element, scope);
             case "turret" -> turret(element, scope);
             case "claw", "arm" -> claw(element, scope);
-            default -> throw new MalformedValueException("data-part=\"" + LengthParser.shortened(kind) + "\" is not known"
+            default -> throw new MalformedValueException("data-part=\"" + LengthParser.shortened(kind)
+                    + "\" is not known"
                     + Suggestion.nearest(kind, RobotPart.KINDS) + "; allowed: " + String.join(", ", RobotPart.KINDS));
         }
         return true;
@@ -115,10 +120,10 @@ final class RobotAssembler implements DrawingVisitor {
         if (box.isEmpty()) {
             throw new MalformedValueException("the wheel has no size; draw it as a rectangle, seen from above");
         }
+        double diameter = meaning.number("data-diameter-mm", RobotDefaults.TYRE_MILLIMETRES, 5, 500);
         wheels.add(new Wheel(ids.of(element), parts.motorPort(element), RobotPart.motor(meaning, MotorType.LARGE),
-                Lengths.metresFromMillimetres(meaning.number("data-diameter-mm", RobotDefaults.TYRE_MILLIMETRES, 5, 500)),
-                meaning.number("data-gear-ratio", 1, 0.01, 100), meaning.flag("data-inverted"), within(box.centre()), heading(scope),
-                meaning.flag("data-omni")));
+                Lengths.metresFromMillimetres(diameter), meaning.number("data-gear-ratio", 1, 0.01, 100),
+                meaning.flag("data-inverted"), within(box.centre()), heading(scope), meaning.flag("data-omni")));
     }
 
     private void sensor(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
@@ -126,12 +131,14 @@ final class RobotAssembler implements DrawingVisitor {
         LocalBox box = box(element, scope);
         double height = scope.meaning().number("data-height-mm", RobotDefaults.sensorHeightMillimetres(type), 0, 1_000);
         boolean middle = RobotDefaults.looksDown(type) || type == SensorType.EV3_GYRO;
-        sensors.add(new SensorMount(ids.of(element), parts.sensorPort(element), type, within(middle ? box.centre() : box.front()), heading(scope),
+        sensors.add(new SensorMount(ids.of(element), parts.sensorPort(element), type,
+                within(middle ? box.centre() : box.front()), heading(scope),
                 Lengths.metresFromMillimetres(height), sensorBody(element, scope, box), turret));
     }
 
     /** The largest filled outline, else the box around what is drawn. */
-    private List<Point2> sensorBody(SvgElement element, Scope scope, LocalBox box) throws DescriptionException, MalformedValueException {
+    private List<Point2> sensorBody(SvgElement element, Scope scope, LocalBox box)
+            throws DescriptionException, MalformedValueException {
         List<Point2> largest = box.outline();
         double area = 0;
         for (DrawnShape shape : walker.shapesWithin(element, scope)) {
@@ -152,8 +159,9 @@ final class RobotAssembler implements DrawingVisitor {
         turret = Optional.of(id);
         List<List<Point2>> outlines = outlines(element, scope);
         turret = Optional.empty();
-        turrets.add(new Turret(id, port, RobotPart.motor(meaning, MotorType.MEDIUM), meaning.number("data-gear-ratio", 1, 0.01, 100),
-                meaning.flag("data-inverted"), within(pivot(scope)), outlines));
+        turrets.add(new Turret(id, port, RobotPart.motor(meaning, MotorType.MEDIUM),
+                meaning.number("data-gear-ratio", 1, 0.01, 100), meaning.flag("data-inverted"), within(pivot(scope)),
+                outlines));
     }
 
     private void claw(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
@@ -168,8 +176,8 @@ final class RobotAssembler implements DrawingVisitor {
         if (outlines.isEmpty()) {
             throw new MalformedValueException("holds no filled shape");
         }
-        claws.add(new Claw(ids.of(element), port, RobotPart.motor(meaning, MotorType.MEDIUM), min, max, meaning.flag("data-inverted"),
-                within(pivot(scope)), outlines));
+        claws.add(new Claw(ids.of(element), port, RobotPart.motor(meaning, MotorType.MEDIUM), min, max,
+                meaning.flag("data-inverted"), within(pivot(scope)), outlines));
     }
 
     /** {@code data-pivot="x,y"} in the part's own coordinates, else their origin. */
@@ -201,7 +209,8 @@ final class RobotAssembler implements DrawingVisitor {
 
     private static Point2 within(Point2 point) throws MalformedValueException {
         if (!(Math.max(Math.abs(point.x()), Math.abs(point.y())) <= RobotDefaults.GREATEST_REACH_METRES)) {
-            throw new MalformedValueException("lies more than 1 m from the robot's origin, the middle of the driven axle; units are millimetres");
+            throw new MalformedValueException(
+                    "lies more than 1 m from the robot's origin, the middle of the driven axle; units are millimetres");
         }
         return point;
     }

@@ -17,7 +17,10 @@ final class RobotDefaults {
 
     private RobotDefaults() {}
 
-    /** Height of the eye or button above the floor: assumptions for an EV3 standing on 56 mm tyres; colour at its best distance (ev3dev). */
+    /**
+     * Height of the eye or button above the floor: assumptions for an EV3 standing on 56 mm tyres; colour at its best
+     * distance (ev3dev).
+     */
     static double sensorHeightMillimetres(SensorType type) {
         return switch (type) {
             case EV3_COLOR, NXT_COLOR, NXT_LIGHT -> 8;

@@ -32,7 +32,8 @@ final class RobotPart {
     static MotorType motor(Meaning meaning, MotorType fallback) throws DescriptionException {
         String[] allowed = Arrays.stream(MotorType.values()).map(MotorType::attribute).toArray(String[]::new);
         String value = meaning.choice("data-motor", fallback.attribute(), allowed);
-        return Arrays.stream(MotorType.values()).filter(type -> type.attribute().equals(value)).findFirst().orElseThrow();
+        return Arrays.stream(MotorType.values()).filter(type -> type.attribute().equals(value)).findFirst()
+                .orElseThrow();
     }
 
     SensorType sensor(SvgElement element, Meaning meaning) throws DescriptionException {
@@ -41,7 +42,8 @@ final class RobotPart {
             throw document.error(element, "a sensor needs data-sensor; allowed: " + String.join(", ", allowed));
         }
         String value = meaning.choice("data-sensor", "", allowed);
-        return Arrays.stream(SensorType.values()).filter(type -> type.attribute().equals(value)).findFirst().orElseThrow();
+        return Arrays.stream(SensorType.values()).filter(type -> type.attribute().equals(value)).findFirst()
+                .orElseThrow();
     }
 
     /** A port is never inherited: a sensor on a turret does not sit on the turret's motor port. */
@@ -49,12 +51,14 @@ final class RobotPart {
         String port = element.attributes().getOrDefault("data-port", "");
         int index = Arrays.asList(allowed).indexOf(port);
         if (index < 0) {
-            throw document.error(element, (port.isEmpty() ? kind + " needs data-port" : "data-port=\"" + LengthParser.shortened(port) + "\" is not a port for "
+            throw document.error(element, (port.isEmpty() ? kind + " needs data-port" : "data-port=\""
+                    + LengthParser.shortened(port) + "\" is not a port for "
                     + kind) + "; allowed: " + String.join(", ", allowed));
         }
         SvgElement other = ports.putIfAbsent(port, element);
         if (other != null) {
-            throw document.error(element, "port " + port + " is taken already by " + other.title() + " in line " + other.line()
+            throw document.error(element, "port " + port + " is taken already by " + other.title() + " in line "
+                    + other.line()
                     + "; each motor and sensor needs a port of its own");
         }
         return index;

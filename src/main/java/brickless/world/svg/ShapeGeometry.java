@@ -6,7 +6,8 @@ import java.util.Set;
 
 /** The outline of a basic shape or path in its own user units. */
 final class ShapeGeometry {
-    static final Set<String> SHAPES = Set.of("rect", "circle", "ellipse", "line", "polyline", "polygon", "path", "image");
+    static final Set<String> SHAPES = Set.of("rect", "circle", "ellipse", "line", "polyline", "polygon", "path",
+            "image");
 
     private final SvgElement element;
     private final Viewport viewport;
@@ -18,7 +19,8 @@ final class ShapeGeometry {
         this.out = out;
     }
 
-    static List<SubPath> of(SvgElement element, Viewport viewport, double tolerance, PointBudget budget) throws MalformedValueException {
+    static List<SubPath> of(SvgElement element, Viewport viewport, double tolerance, PointBudget budget)
+            throws MalformedValueException {
         Flattener out = new Flattener(tolerance, budget);
         new ShapeGeometry(element, viewport, out).draw();
         return out.result();
@@ -27,8 +29,8 @@ final class ShapeGeometry {
     private void draw() throws MalformedValueException {
         switch (element.name()) {
             case "rect" -> rectangle();
-            case "image" -> box(viewport.x(element, "x", 0), viewport.y(element, "y", 0), imageSize("width", viewport.width()),
-                    imageSize("height", viewport.height()));
+            case "image" -> box(viewport.x(element, "x", 0), viewport.y(element, "y", 0),
+                    imageSize("width", viewport.width()), imageSize("height", viewport.height()));
             case "circle" -> {
                 double r = orZero(viewport.size(element, "r", viewport.diagonal()));
                 ellipse(r, r);
@@ -86,7 +88,8 @@ final class ShapeGeometry {
         out.close();
     }
 
-    private void corner(Point2 from, double cx, double cy, double rx, double ry, int quarter, Point2 to) throws MalformedValueException {
+    private void corner(Point2 from, double cx, double cy, double rx, double ry, int quarter, Point2 to)
+            throws MalformedValueException {
         out.lineTo(from);
         out.arc(Affine.translate(cx, cy).then(Affine.scale(rx, ry)), quarter * Math.PI / 2, Math.PI / 2, to);
     }
@@ -99,7 +102,8 @@ final class ShapeGeometry {
         double cx = viewport.x(element, "cx", 0);
         double cy = viewport.y(element, "cy", 0);
         Affine axes = Affine.translate(cx, cy).then(Affine.scale(rx, ry));
-        Point2[] quarters = {new Point2(cx, cy + ry), new Point2(cx - rx, cy), new Point2(cx, cy - ry), new Point2(cx + rx, cy)};
+        Point2[] quarters = {new Point2(cx, cy + ry), new Point2(cx - rx, cy), new Point2(cx, cy - ry),
+                new Point2(cx + rx, cy)};
         out.moveTo(new Point2(cx + rx, cy));
         for (int i = 0; i < 4; i++) {
             out.arc(axes, i * Math.PI / 2, Math.PI / 2, quarters[i]);

@@ -10,8 +10,9 @@ import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.operation.valid.IsSimpleOp;
 
 /**
- * The body of a solid shape: simple clockwise polygons without holes. Filled shapes give the outline of the fill; a line drawn without fill
- * gives the outline of the line. Only comparisons and basic arithmetic are used, so the result is the same on every machine.
+ * The body of a solid shape: simple clockwise polygons without holes. Filled shapes give the outline of the fill; a
+ * line drawn without fill gives the outline of the line. Only comparisons and basic arithmetic are used, so the result
+ * is the same on every machine.
  */
 final class SolidOutline {
     private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -32,7 +33,8 @@ final class SolidOutline {
             throw new MalformedValueException("a solid shape with neither fill nor stroke cannot be seen; give it one");
         }
         if (pieces.isEmpty()) {
-            throw new MalformedValueException("a solid shape needs an area; draw a filled shape or a line with a stroke");
+            throw new MalformedValueException(
+                    "a solid shape needs an area; draw a filled shape or a line with a stroke");
         }
         return pieces;
     }
@@ -59,12 +61,14 @@ final class SolidOutline {
         for (List<Point2> ring : rings) {
             LinearRing line = GEOMETRY.createLinearRing(coordinates(ring));
             if (!new IsSimpleOp(line).isSimple()) {
-                throw new MalformedValueException("the outline of a solid shape crosses or touches itself; draw it without crossings"
+                throw new MalformedValueException(
+                        "the outline of a solid shape crosses or touches itself; draw it without crossings"
                         + " (Inkscape: Path > Union)");
             }
             for (LineString other : lines) {
                 if (other.getEnvelopeInternal().intersects(line.getEnvelopeInternal()) && other.intersects(line)) {
-                    throw new MalformedValueException("two outlines of a solid shape cross or touch each other; draw them as separate shapes"
+                    throw new MalformedValueException(
+                            "two outlines of a solid shape cross or touch each other; draw them as separate shapes"
                             + " (Inkscape: Path > Break Apart)");
                 }
             }

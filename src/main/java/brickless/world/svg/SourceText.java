@@ -17,9 +17,11 @@ import java.util.regex.Pattern;
 
 /** Bytes of a drawing to text, by byte order mark, else XML declaration, else UTF-8. */
 final class SourceText {
-    private static final Pattern DECLARATION = Pattern.compile("^<\\?xml[^>]{0,200}?encoding\\s*=\\s*[\"']([A-Za-z0-9._-]{1,40})[\"']");
+    private static final Pattern DECLARATION = Pattern.compile(
+            "^<\\?xml[^>]{0,200}?encoding\\s*=\\s*[\"']([A-Za-z0-9._-]{1,40})[\"']");
     private static final Map<String, Charset> CHARSETS = Map.of(
-            "utf-8", StandardCharsets.UTF_8, "us-ascii", StandardCharsets.US_ASCII, "iso-8859-1", StandardCharsets.ISO_8859_1);
+            "utf-8", StandardCharsets.UTF_8, "us-ascii", StandardCharsets.US_ASCII, "iso-8859-1",
+                    StandardCharsets.ISO_8859_1);
 
     private SourceText() {}
 
@@ -58,7 +60,8 @@ final class SourceText {
         String name = declared.find() ? declared.group(1).toLowerCase(Locale.ROOT) : "utf-8";
         Charset charset = CHARSETS.get(name);
         if (charset == null) {
-            throw new DescriptionException(file, 1, "", "encoding \"" + name + "\" is not supported; allowed: UTF-8, UTF-16, ISO-8859-1, US-ASCII");
+            throw new DescriptionException(file, 1, "", "encoding \"" + name
+                    + "\" is not supported; allowed: UTF-8, UTF-16, ISO-8859-1, US-ASCII");
         }
         return charset;
     }

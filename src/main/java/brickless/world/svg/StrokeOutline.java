@@ -6,8 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The area of a drawn line as convex clockwise pieces, which may overlap: one per straight piece, cut along the bisector where it meets the
- * next, and one for each cap or corner that cannot be cut so. Pure arithmetic; units are the element's.
+ * The area of a drawn line as convex clockwise pieces, which may overlap: one per straight piece, cut along the
+ * bisector where it meets the next, and one for each cap or corner that cannot be cut so. Pure arithmetic; units are
+ * the element's.
  */
 final class StrokeOutline {
     /** Corners gentler than this are always mitred: they come from flattened curves. */
@@ -26,10 +27,12 @@ final class StrokeOutline {
         this.budget = budget;
     }
 
-    static List<List<Point2>> of(List<SubPath> paths, StrokeStyle style, double width, double tolerance, PointBudget budget)
+    static List<List<Point2>> of(List<SubPath> paths, StrokeStyle style, double width, double tolerance,
+            PointBudget budget)
             throws MalformedValueException {
         StrokeOutline outline = new StrokeOutline(style, width, tolerance, budget);
-        List<SubPath> lines = style.dashes().isEmpty() ? paths : Dashes.split(paths, style.dashes(), style.dashOffset(), budget);
+        List<SubPath> lines = style.dashes().isEmpty() ? paths
+                : Dashes.split(paths, style.dashes(), style.dashOffset(), budget);
         for (SubPath line : lines) {
             outline.add(line);
         }
@@ -67,18 +70,23 @@ final class StrokeOutline {
             Point2 d = direction(p, q);
             double a = cuts[i];
             double b = cuts[(i + 1) % n];
-            piece(List.of(offset(p, d, a, half), offset(q, d, -b, half), offset(q, d, b, -half), offset(p, d, -a, -half)));
+            piece(List.of(offset(p, d, a, half), offset(q, d, -b, half), offset(q, d, b, -half),
+                    offset(p, d, -a, -half)));
         }
     }
 
-    /** Returns the signed length by which the pieces at a corner are cut along the bisector, or 0 after adding a joint of its own. */
+    /**
+     * Returns the signed length by which the pieces at a corner are cut along the bisector, or 0 after adding a joint
+     * of its own.
+     */
     private double corner(Point2 before, Point2 here, Point2 after) throws MalformedValueException {
         Point2 in = direction(before, here);
         Point2 out = direction(here, after);
         double cross = in.x() * out.y() - in.y() * out.x();
         double dot = in.x() * out.x() + in.y() * out.y();
         boolean gentle = dot > GENTLE_TURN_COSINE;
-        boolean mitred = style.join().startsWith("miter") && 2 <= style.miterLimit() * style.miterLimit() * (1 + dot) && dot > -0.9999;
+        boolean mitred = style.join().startsWith("miter") && 2 <= style.miterLimit() * style.miterLimit() * (1 + dot)
+                && dot > -0.9999;
         double cut = half * cross / (1 + dot);
         double room = Math.min(Rings.distance(before, here), Rings.distance(here, after)) / 2;
         if ((gentle || mitred) && Math.abs(cut) <= room) {
@@ -110,12 +118,14 @@ final class StrokeOutline {
             disc(at);
         } else if (drawn && style.cap().equals("square")) {
             Point2 d = new Point2(1, 0);
-            piece(List.of(offset(at, d, -half, -half), offset(at, d, half, -half), offset(at, d, half, half), offset(at, d, -half, half)));
+            piece(List.of(offset(at, d, -half, -half), offset(at, d, half, -half), offset(at, d, half, half),
+                    offset(at, d, -half, half)));
         }
     }
 
     private void disc(Point2 centre) throws MalformedValueException {
-        int corners = half <= tolerance ? 8 : (int) Math.max(8, Math.min(64, 4 * Math.ceil(Math.PI / (4 * StrictMath.acos(1 - tolerance / half)))));
+        int corners = half <= tolerance ? 8
+                : (int) Math.max(8, Math.min(64, 4 * Math.ceil(Math.PI / (4 * StrictMath.acos(1 - tolerance / half)))));
         List<Point2> ring = new ArrayList<>();
         for (int i = 0; i < corners; i++) {
             double angle = 2 * Math.PI * i / corners;

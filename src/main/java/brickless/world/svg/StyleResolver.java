@@ -8,11 +8,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Works out the style of an element: its parent's, then presentation attributes, then style sheet, then {@code style=""}. */
+/**
+ * Works out the style of an element: its parent's, then presentation attributes, then style sheet, then
+ * {@code style=""}.
+ */
 final class StyleResolver {
-    private static final Set<String> PROPERTIES = Set.of("fill", "stroke", "fill-opacity", "stroke-opacity", "opacity", "fill-rule", "stroke-width",
-            "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-dasharray", "stroke-dashoffset", "vector-effect", "color", "display",
-            "visibility", "clip-path", "mask");
+    private static final Set<String> PROPERTIES = Set.of("fill", "stroke", "fill-opacity", "stroke-opacity", "opacity",
+            "fill-rule", "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-dasharray",
+            "stroke-dashoffset", "vector-effect", "color", "display", "visibility", "clip-path", "mask");
 
     private final StyleSheet sheet;
     private final PaintServers servers;
@@ -26,10 +29,10 @@ final class StyleResolver {
 
     Style resolve(Style parent, SvgElement element) throws MalformedValueException {
         Map<String, String> own = declarations(element);
-        Colour colour = own.containsKey("color") && !inherits(own.get("color")) ? ColourParser.parse(own.get("color")) : parent.colour();
+        Colour colour = own.containsKey("color") && !inherits(own.get("color")) ? ColourParser.parse(own.get("color"))
+                : parent.colour();
         return new Style(
-                paint(own.get("fill"), parent.fill(), colour),
-                paint(own.get("stroke"), parent.stroke(), colour),
+                paint(own.get("fill"), parent.fill(), colour), paint(own.get("stroke"), parent.stroke(), colour),
                 share("fill-opacity", own, parent.fillOpacity()),
                 share("stroke-opacity", own, parent.strokeOpacity()),
                 parent.opacity() * share("opacity", own, 1),
@@ -54,13 +57,15 @@ final class StyleResolver {
         }
         for (String geometry : List.of("transform", "translate", "rotate", "scale", "d", "offset-path")) {
             if (own.containsKey(geometry) && !own.get(geometry).equals("none")) {
-                throw new MalformedValueException("style: " + geometry + " is not supported in CSS; use the attribute " + geometry);
+                throw new MalformedValueException("style: " + geometry + " is not supported in CSS; use the attribute "
+                        + geometry);
             }
         }
         return own;
     }
 
-    private Optional<Colour> paint(String value, Optional<Colour> inherited, Colour current) throws MalformedValueException {
+    private Optional<Colour> paint(String value, Optional<Colour> inherited, Colour current)
+            throws MalformedValueException {
         if (inherits(value)) {
             return inherited;
         }
@@ -75,8 +80,8 @@ final class StyleResolver {
     }
 
     private StrokeStyle line(Map<String, String> own, StrokeStyle parent) throws MalformedValueException {
-        double width = inherits(own.get("stroke-width")) ? parent.width() : LengthParser.parse("stroke-width", own.get("stroke-width"),
-                viewport.diagonal());
+        double width = inherits(own.get("stroke-width")) ? parent.width()
+                : LengthParser.parse("stroke-width", own.get("stroke-width"), viewport.diagonal());
         if (width < 0) {
             throw new MalformedValueException("stroke-width must not be negative");
         }
@@ -84,10 +89,11 @@ final class StyleResolver {
                 : LengthParser.parse("stroke-miterlimit", own.get("stroke-miterlimit"), Double.NaN);
         double offset = inherits(own.get("stroke-dashoffset")) ? parent.dashOffset()
                 : LengthParser.parse("stroke-dashoffset", own.get("stroke-dashoffset"), viewport.diagonal());
-        List<Double> dashes = inherits(own.get("stroke-dasharray")) ? parent.dashes() : dashes(own.get("stroke-dasharray"));
+        List<Double> dashes = inherits(own.get("stroke-dasharray")) ? parent.dashes()
+                : dashes(own.get("stroke-dasharray"));
         return new StrokeStyle(width, inherits(own.get("stroke-linecap")) ? parent.cap() : own.get("stroke-linecap"),
-                inherits(own.get("stroke-linejoin")) ? parent.join() : own.get("stroke-linejoin"), miter, dashes, offset,
-                "non-scaling-stroke".equals(own.get("vector-effect")));
+                inherits(own.get("stroke-linejoin")) ? parent.join() : own.get("stroke-linejoin"), miter, dashes,
+                offset, "non-scaling-stroke".equals(own.get("vector-effect")));
     }
 
     private List<Double> dashes(String value) throws MalformedValueException {
@@ -113,7 +119,8 @@ final class StyleResolver {
         return List.copyOf(lengths);
     }
 
-    private static double share(String property, Map<String, String> own, double fallback) throws MalformedValueException {
+    private static double share(String property, Map<String, String> own, double fallback)
+            throws MalformedValueException {
         String value = own.get(property);
         return inherits(value) ? fallback : Math.max(0, Math.min(1, LengthParser.parse(property, value, 1)));
     }

@@ -2,14 +2,19 @@ package brickless.world.svg;
 
 import brickless.world.DescriptionException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 
-/** The rules of {@code <style>} elements: selectors {@code tag}, {@code .class}, {@code #id}, {@code *} and combinations such as {@code rect.wall}. */
+/**
+ * The rules of {@code <style>} elements: selectors {@code tag}, {@code .class}, {@code #id}, {@code *} and combinations
+ * such as {@code rect.wall}.
+ */
 final class StyleSheet {
     private static final Pattern SIMPLE = Pattern.compile("(\\*|[A-Za-z][\\w-]*)?([.#][\\w-]+)*");
 
@@ -38,7 +43,7 @@ final class StyleSheet {
         if (rules.isEmpty()) {
             return Map.of();
         }
-        Set<String> classes = Set.of(dedupe(element.attributes().getOrDefault("class", "")));
+        Set<String> classes = Set.of(classNames(element.attributes().getOrDefault("class", "")));
         Map<String, String> found = new LinkedHashMap<>();
         for (Rule rule : rules) {
             if (rule.matches(element, classes)) {
@@ -52,19 +57,20 @@ final class StyleSheet {
     static Map<String, String> parseDeclarations(String text) {
         Map<String, String> found = new LinkedHashMap<>();
         int start = 0;
-        for (int end = end(text, 0); start < text.length(); start = end + 1, end = end(text, Math.min(start, text.length()))) {
-            String declaration = text.substring(start, end);
-            int colon = declaration.indexOf(':');
-            if (colon > 0) {
-                String value = declaration.substring(colon + 1).replace("!important", "").strip();
-                found.put(declaration.substring(0, colon).strip(), value);
+        while (start < text.length()) {
+            int end = semicolon(text, start);
+            int colon = text.indexOf(':', start);
+            if (colon > start && colon < end) {
+                String value = text.substring(colon + 1, end).replace("!important", "").strip();
+                found.put(text.substring(start, colon).strip(), value);
             }
+            start = end + 1;
         }
         return found;
     }
 
     /** Position of the semicolon that ends a declaration; those inside parentheses (data: addresses) do not. */
-    private static int end(String text, int from) {
+    private static int semicolon(String text, int from) {
         int depth = 0;
         for (int i = from; i < text.length(); i++) {
             char c = text.charAt(i);
@@ -101,7 +107,8 @@ final class StyleSheet {
             }
             if (open < 0) {
                 if (!css.substring(position).isBlank()) {
-                    throw new MalformedValueException("style: { is missing after \"" + LengthParser.shortened(css.substring(position).strip()) + "\"");
+                    throw new MalformedValueException("style: { is missing after \""
+                            + LengthParser.shortened(css.substring(position).strip()) + "\"");
                 }
                 return;
             }
@@ -142,8 +149,8 @@ final class StyleSheet {
 
     private static Rule rule(String selector, Map<String, String> declarations) {
         String[] parts = selector.split("(?=[.#])");
-        Set<String> classes = new java.util.TreeSet<>();
-        Set<String> ids = new java.util.TreeSet<>();
+        Set<String> classes = new TreeSet<>();
+        Set<String> ids = new TreeSet<>();
         String tag = "";
         for (String part : parts) {
             if (part.startsWith(".")) {
@@ -157,9 +164,9 @@ final class StyleSheet {
         return new Rule(tag, classes, ids, declarations);
     }
 
-    private static String[] dedupe(String classAttribute) {
+    private static String[] classNames(String classAttribute) {
         return classAttribute.isBlank() ? new String[0]
-                : java.util.Arrays.stream(classAttribute.strip().split("\\s+")).distinct().toArray(String[]::new);
+                : Arrays.stream(classAttribute.strip().split("\\s+")).distinct().toArray(String[]::new);
     }
 
     private static String withoutComments(String css) {

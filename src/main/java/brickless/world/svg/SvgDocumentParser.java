@@ -12,7 +12,10 @@ import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
-/** XML text to a tree of SVG elements. Foreign namespaces (Inkscape's own, RDF) are skipped; entities are never expanded. */
+/**
+ * XML text to a tree of SVG elements. Foreign namespaces (Inkscape's own, RDF) are skipped; entities are never
+ * expanded.
+ */
 final class SvgDocumentParser {
     private static final String SVG = "http://www.w3.org/2000/svg";
     private static final String XLINK = "http://www.w3.org/1999/xlink";
@@ -62,7 +65,8 @@ final class SvgDocumentParser {
                 case XMLStreamConstants.END_ELEMENT -> end();
                 case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> characters(xml.getText());
                 case XMLStreamConstants.DTD, XMLStreamConstants.ENTITY_DECLARATION -> refuseDeclarations(xml);
-                case XMLStreamConstants.ENTITY_REFERENCE -> throw new DescriptionException(file, xml.getLocation().getLineNumber(), "",
+                case XMLStreamConstants.ENTITY_REFERENCE -> throw new DescriptionException(file,
+                        xml.getLocation().getLineNumber(), "",
                         "entity references are not supported; write the character itself");
                 default -> { }
             }
@@ -85,7 +89,8 @@ final class SvgDocumentParser {
     private void start(XMLStreamReader xml) throws DescriptionException {
         int line = lines.next();
         if (++elements > Limits.ELEMENTS || ++depth > Limits.NESTING) {
-            throw new DescriptionException(file, line, "", depth > Limits.NESTING ? "elements are nested deeper than " + Limits.NESTING
+            throw new DescriptionException(file, line, "", depth > Limits.NESTING ? "elements are nested deeper than "
+                    + Limits.NESTING
                     : "more than " + Limits.ELEMENTS + " elements");
         }
         String namespace = xml.getNamespaceURI();
@@ -95,7 +100,8 @@ final class SvgDocumentParser {
             return;
         }
         if (root == null && (foreign || !xml.getLocalName().equals("svg"))) {
-            throw new DescriptionException(file, line, "<" + xml.getLocalName() + ">", "is not a drawing; the outermost element must be svg");
+            throw new DescriptionException(file, line, "<" + xml.getLocalName() + ">",
+                    "is not a drawing; the outermost element must be svg");
         }
         SvgElement element = new SvgElement(xml.getLocalName(), line, current);
         copyAttributes(xml, element);
@@ -140,6 +146,7 @@ final class SvgDocumentParser {
         String message = String.valueOf(e.getMessage());
         int start = message.indexOf("Message:");
         String reason = (start < 0 ? message : message.substring(start + 8)).strip().replaceAll("\\s+", " ");
-        return new DescriptionException(file, location == null ? 0 : Math.max(0, location.getLineNumber()), "", "is not well-formed XML: " + reason);
+        return new DescriptionException(file, location == null ? 0 : Math.max(0, location.getLineNumber()), "",
+                "is not well-formed XML: " + reason);
     }
 }

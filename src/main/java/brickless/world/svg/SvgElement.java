@@ -5,7 +5,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** An element of a drawing: local name, attributes without a namespace (and {@code xlink:href} as {@code href}), children, line. */
+/**
+ * An element of a drawing: local name, attributes without a namespace (and {@code xlink:href} as {@code href}),
+ * children, line.
+ */
 final class SvgElement {
     private final String name;
     private final int line;

@@ -5,7 +5,10 @@ import brickless.world.RobotModel;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Reads a robot from an SVG drawing; the format is described in {@code sim/docs/WORLD-FORMAT.md}. No state; safe for all threads. */
+/**
+ * Reads a robot from an SVG drawing; the format is described in {@code sim/docs/WORLD-FORMAT.md}. No state; safe for
+ * all threads.
+ */
 public final class SvgRobotReader {
     private SvgRobotReader() {}
 
@@ -18,7 +21,8 @@ public final class SvgRobotReader {
      */
     public static RobotModel read(Path file) throws DescriptionException {
         String text = SourceText.read(file);
-        return RobotAssembler.assemble(SvgDocumentParser.parse(file.toString(), Optional.ofNullable(file.toAbsolutePath().getParent()), text));
+        return RobotAssembler.assemble(SvgDocumentParser.parse(file.toString(),
+                Optional.ofNullable(file.toAbsolutePath().getParent()), text));
     }
 
     /**

@@ -5,7 +5,10 @@ import brickless.world.World;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Reads a world from an SVG drawing; the format is described in {@code sim/docs/WORLD-FORMAT.md}. No state; safe for all threads. */
+/**
+ * Reads a world from an SVG drawing; the format is described in {@code sim/docs/WORLD-FORMAT.md}. No state; safe for
+ * all threads.
+ */
 public final class SvgWorldReader {
     private SvgWorldReader() {}
 
@@ -18,7 +21,8 @@ public final class SvgWorldReader {
      */
     public static World read(Path file) throws DescriptionException {
         String text = SourceText.read(file);
-        return WorldAssembler.assemble(SvgDocumentParser.parse(file.toString(), Optional.ofNullable(file.toAbsolutePath().getParent()), text));
+        return WorldAssembler.assemble(SvgDocumentParser.parse(file.toString(),
+                Optional.ofNullable(file.toAbsolutePath().getParent()), text));
     }
 
     /**

@@ -1,8 +1,9 @@
 package brickless.world.svg;
 
 /**
- * Line numbers of start tags. XML readers report where a tag ends; people look for where it begins. In well-formed XML without entity
- * expansion the n-th {@code <name} outside comments, CDATA and processing instructions is the n-th element.
+ * Line numbers of start tags. XML readers report where a tag ends; people look for where it begins. In well-formed XML
+ * without entity expansion the n-th {@code <name} outside comments, CDATA and processing instructions is the n-th
+ * element.
  */
 final class TagLines {
     private final String text;

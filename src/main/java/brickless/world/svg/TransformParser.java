@@ -50,7 +50,8 @@ final class TransformParser {
             case "translate" -> Affine.translate(n.get(0), count == 2 ? n.get(1) : 0);
             case "scale" -> Affine.scale(n.get(0), count == 2 ? n.get(1) : n.get(0));
             case "rotate" -> count == 1 ? Affine.rotate(n.get(0))
-                    : Affine.translate(n.get(1), n.get(2)).then(Affine.rotate(n.get(0))).then(Affine.translate(-n.get(1), -n.get(2)));
+                    : Affine.translate(n.get(1), n.get(2)).then(Affine.rotate(n.get(0)))
+                            .then(Affine.translate(-n.get(1), -n.get(2)));
             case "skewX" -> Affine.skewX(n.get(0));
             default -> Affine.skewY(n.get(0));
         };

@@ -8,7 +8,8 @@ record ViewBox(double minX, double minY, double width, double height) {
         in.skipSeparator();
         for (int i = 0; i < 4; i++) {
             if (!in.numberAhead()) {
-                throw new MalformedValueException("viewBox=\"" + LengthParser.shortened(text) + "\" is not four numbers: minX minY width height in millimetres");
+                throw new MalformedValueException("viewBox=\"" + LengthParser.shortened(text)
+                        + "\" is not four numbers: minX minY width height in millimetres");
             }
             n[i] = in.number();
             in.skipSeparator();

@@ -29,12 +29,14 @@ record Viewport(double width, double height) {
         }
         double value = LengthParser.parse(attribute, text, reference);
         if (value < 0) {
-            throw new MalformedValueException(attribute + "=\"" + LengthParser.shortened(text) + "\" must not be negative");
+            throw new MalformedValueException(attribute + "=\"" + LengthParser.shortened(text)
+                    + "\" must not be negative");
         }
         return value;
     }
 
-    private static double length(SvgElement element, String attribute, double fallback, double reference) throws MalformedValueException {
+    private static double length(SvgElement element, String attribute, double fallback, double reference)
+            throws MalformedValueException {
         String text = element.attribute(attribute);
         return text == null ? fallback : LengthParser.parse(attribute, text, reference);
     }

@@ -4,12 +4,16 @@ import brickless.world.DescriptionException;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** The {@code data-*} attributes of each kind of file. A mistyped one would silently change what is simulated, so it is an error. */
+/**
+ * The {@code data-*} attributes of each kind of file. A mistyped one would silently change what is simulated, so it is
+ * an error.
+ */
 enum Vocabulary {
-    WORLD("world", "data-solid", "data-mass-kg", "data-height-mm", "data-friction", "data-sound-absorbing", "data-zone", "data-edge", "data-beacon",
-            "data-lamp-lux", "data-robot", "data-program", "data-model", "data-body"),
-    ROBOT("robot", "data-part", "data-mass-kg", "data-height-mm", "data-friction", "data-port", "data-motor", "data-diameter-mm", "data-gear-ratio",
-            "data-inverted", "data-sensor", "data-min-degrees", "data-max-degrees", "data-omni", "data-pivot", "data-heading-degrees", "data-solid");
+    WORLD("world", "data-solid", "data-mass-kg", "data-height-mm", "data-friction", "data-sound-absorbing", "data-zone",
+            "data-edge", "data-beacon", "data-lamp-lux", "data-robot", "data-program", "data-model", "data-body"),
+    ROBOT("robot", "data-part", "data-mass-kg", "data-height-mm", "data-friction", "data-port", "data-motor",
+            "data-diameter-mm", "data-gear-ratio", "data-inverted", "data-sensor", "data-min-degrees",
+            "data-max-degrees", "data-omni", "data-pivot", "data-heading-degrees", "data-solid");
 
     /** Written by drawing programs (Illustrator, Figma) for their own use. */
     private static final Set<String> FOREIGN = Set.of("data-name");
@@ -43,6 +47,7 @@ enum Vocabulary {
         if (other.names.contains(name)) {
             return name + " belongs in a " + other.title + " file, this is a " + title + " file";
         }
-        return "unknown attribute " + name + Suggestion.nearest(name, names) + "; allowed in a " + title + " file: " + String.join(", ", names);
+        return "unknown attribute " + name + Suggestion.nearest(name, names) + "; allowed in a " + title + " file: "
+                + String.join(", ", names);
     }
 }

@@ -47,12 +47,14 @@ final class WorldAssembler implements DrawingVisitor {
     }
 
     private World world() {
-        return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()), Lengths.metresFromMillimetres(page.minY()),
-                Lengths.metresFromMillimetres(page.width()), Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps,
-                table(), placements, EmbeddedImages.textOf(document));
+        return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()),
+                Lengths.metresFromMillimetres(page.minY()), Lengths.metresFromMillimetres(page.width()),
+                Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps, table(),
+                placements, EmbeddedImages.textOf(document));
     }
 
-    @Override public boolean enter(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
+    @Override public boolean enter(SvgElement element, Scope scope)
+            throws DescriptionException, MalformedValueException {
         if (element.has("data-robot")) {
             placements.add(PlacementReader.read(document, element, scope, placements));
             return true;
@@ -77,7 +79,8 @@ final class WorldAssembler implements DrawingVisitor {
     private static boolean isOneThing(SvgElement element) throws MalformedValueException {
         String body = element.attribute("data-body");
         if (body != null && !body.equals("one")) {
-            throw new MalformedValueException("data-body=\"" + LengthParser.shortened(body) + "\" is not known; allowed: one");
+            throw new MalformedValueException("data-body=\"" + LengthParser.shortened(body)
+                    + "\" is not known; allowed: one");
         }
         return body != null || element.name().equals("use");
     }
@@ -106,8 +109,10 @@ final class WorldAssembler implements DrawingVisitor {
         Meaning meaning = shape.scope().meaning();
         boolean solid = ObstacleBuilder.isSolid(meaning);
         boolean point = meaning.has("data-beacon") || meaning.has("data-lamp-lux");
-        if (meaning.has("data-zone") && (solid || point || meaning.has("data-edge")) || meaning.has("data-edge") && (solid || point)) {
-            throw new MalformedValueException("a shape cannot be a zone, a table edge and something solid at once; draw it twice");
+        if (meaning.has("data-zone") && (solid || point || meaning.has("data-edge")) || meaning.has("data-edge")
+                && (solid || point)) {
+            throw new MalformedValueException(
+                    "a shape cannot be a zone, a table edge and something solid at once; draw it twice");
         }
         shape.refuseClipping();
         String id = ids.of(shape.element());
@@ -169,6 +174,7 @@ final class WorldAssembler implements DrawingVisitor {
     }
 
     static Pose2 pose(Affine toPage) {
-        return new Pose2(Lengths.metresFromMillimetres(toPage.e()), Lengths.metresFromMillimetres(toPage.f()), toPage.headingRadians());
+        return new Pose2(Lengths.metresFromMillimetres(toPage.e()), Lengths.metresFromMillimetres(toPage.f()),
+                toPage.headingRadians());
     }
 }

@@ -38,20 +38,24 @@ public final class WorldCheck {
     public static void placement(String file, World world, RobotModel robot, Pose2 start) throws DescriptionException {
         if (!(start.x() >= world.minX() && start.x() <= world.minX() + world.width() && start.y() >= world.minY()
                 && start.y() <= world.minY() + world.height())) {
-            throw problem(file, world, start, "the robot " + robot.name() + " starts outside the drawing, at " + place(start));
+            throw problem(file, world, start, "the robot " + robot.name() + " starts outside the drawing, at "
+                    + place(start));
         }
         for (RobotModel.Wheel wheel : robot.wheels()) {
             Point2 contact = moved(wheel.position(), start);
             if (world.table().isPresent() && !world.table().get().contains(contact.x(), contact.y())) {
-                throw problem(file, world, start, "the wheel " + wheel.id() + " of the robot " + robot.name() + " starts beside the table");
+                throw problem(file, world, start, "the wheel " + wheel.id() + " of the robot " + robot.name()
+                        + " starts beside the table");
             }
         }
-        List<Polygon> body = outlines(robot).stream().map(outline -> polygon(outline.stream().map(p -> moved(p, start)).toList())).toList();
+        List<Polygon> body = outlines(robot).stream()
+                .map(outline -> polygon(outline.stream().map(p -> moved(p, start)).toList())).toList();
         for (Obstacle obstacle : world.obstacles()) {
             for (List<Point2> outline : obstacle.outlines()) {
                 Polygon solid = polygon(outline);
                 if (body.stream().anyMatch(part -> part.intersects(solid) && !part.touches(solid))) {
-                    throw problem(file, world, start, "the robot " + robot.name() + " starts inside the obstacle " + obstacle.id() + ", at " + place(start)
+                    throw problem(file, world, start, "the robot " + robot.name() + " starts inside the obstacle "
+                            + obstacle.id() + ", at " + place(start)
                             + "; move one of them");
                 }
             }
@@ -67,8 +71,10 @@ public final class WorldCheck {
         return all;
     }
 
-    private static DescriptionException problem(String file, World world, Pose2 start, String message) throws DescriptionException {
-        Optional<Placement> placement = world.placements().stream().filter(one -> one.start().equals(start)).findFirst();
+    private static DescriptionException problem(String file, World world, Pose2 start, String message)
+            throws DescriptionException {
+        Optional<Placement> placement = world.placements().stream().filter(one -> one.start().equals(start))
+                .findFirst();
         if (placement.isPresent()) {
             SvgDocument document = SvgDocumentParser.parse(file, Optional.empty(), world.svg());
             SvgElement element = find(document.root(), placement.get().name());
@@ -83,11 +89,13 @@ public final class WorldCheck {
         if (robot.equals(element.attribute("data-robot"))) {
             return element;
         }
-        return element.children().stream().map(child -> find(child, robot)).filter(found -> found != null).findFirst().orElse(null);
+        return element.children().stream().map(child -> find(child, robot)).filter(found -> found != null).findFirst()
+                .orElse(null);
     }
 
     private static String place(Pose2 pose) {
-        return "(" + Math.round(Lengths.millimetresFromMetres(pose.x())) + " mm, " + Math.round(Lengths.millimetresFromMetres(pose.y())) + " mm, "
+        return "(" + Math.round(Lengths.millimetresFromMetres(pose.x())) + " mm, "
+                + Math.round(Lengths.millimetresFromMetres(pose.y())) + " mm, "
                 + Math.round(Angles.degreesFromRadians(pose.headingRadians())) + " degrees)";
     }
 

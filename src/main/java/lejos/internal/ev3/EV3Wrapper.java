@@ -5,6 +5,8 @@ import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import lejos.hardware.lcd.LCDOutputStream;
+import lejos.hardware.port.MotorPort;
+import lejos.hardware.port.SensorPort;
 
 /**
  * Starts a program the way the brick's menu does: prepares the layers of the screen, duplicates {@code System.out} and
@@ -43,8 +45,11 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
         }
     }
 
-    /** Prepares the layers of the screen, the program's console and the exception screen. */
+    /** Prepares the ports, the layers of the screen, the program's console and the exception screen. */
     public static void prepare() {
+        // Interfaces are initialised inside the JVM, where a thread cannot be switched away: done while there is only one.
+        MotorPort.A.getName();
+        SensorPort.S1.getName();
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();
         layers.getLayer(EV3LCD.PROGRAM_LAYER);
         LCDOutputStream printed = new LCDOutputStream(new PrintedText(PRINTED_LAYER));

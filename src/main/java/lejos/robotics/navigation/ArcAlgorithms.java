@@ -15,7 +15,6 @@ public class ArcAlgorithms {
     /** A cosine may exceed 1 by so much because of rounding. */
     private static final double COSINE_SLACK = 1.1;
 
-    /** All methods are static. */
     private ArcAlgorithms() {}
 
     /**

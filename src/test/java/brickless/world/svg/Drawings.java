@@ -30,7 +30,8 @@ final class Drawings {
 
     /** A robot with a chassis; the body begins in line 3. */
     static String robotText(String body) {
-        return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n<rect data-part=\"chassis\" x=\"-50\" y=\"-40\" width=\"100\" height=\"80\"/>\n" + body + "\n</svg>";
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n<rect data-part=\"chassis\" x=\"-50\" y=\"-40\" "
+                + "width=\"100\" height=\"80\"/>\n" + body + "\n</svg>";
     }
 
     static RobotModel robot(String body) {
@@ -68,15 +69,18 @@ final class Drawings {
     }
 
     static String worldError(String text) {
-        return catchThrowableOfType(DescriptionException.class, () -> SvgWorldReader.readText("test.svg", text)).getMessage();
+        return catchThrowableOfType(DescriptionException.class, () -> SvgWorldReader.readText("test.svg", text))
+                .getMessage();
     }
 
     static String robotError(String text) {
-        return catchThrowableOfType(DescriptionException.class, () -> SvgRobotReader.readText("test.svg", text)).getMessage();
+        return catchThrowableOfType(DescriptionException.class, () -> SvgRobotReader.readText("test.svg", text))
+                .getMessage();
     }
 
     private static String number(double metres) {
         double rounded = Math.rint(metres * 1e5) / 100;
-        return rounded == Math.rint(rounded) ? String.valueOf((long) rounded) : String.format(Locale.ROOT, "%.2f", rounded).replaceAll("0+$", "");
+        return rounded == Math.rint(rounded) ? String.valueOf((long) rounded)
+                : String.format(Locale.ROOT, "%.2f", rounded).replaceAll("0+$", "");
     }
 }

@@ -48,13 +48,15 @@ class FormatDocumentTest {
     @Test void groupExampleHasThreeBodies() throws Exception {
         Matcher examples = EXAMPLE.matcher(document());
         assertThat(examples.find() && examples.find()).isTrue();
-        assertThat(SvgWorldReader.readText("example.svg", examples.group(2)).obstacles()).extracting(one -> one.id() + " " + one.massKilograms())
+        assertThat(SvgWorldReader.readText("example.svg", examples.group(2)).obstacles())
+                .extracting(one -> one.id() + " " + one.massKilograms())
                 .containsExactly("can-1 0.03", "can-2 0.03", "trolley 1.2");
     }
 
     @Test void everyAttributeAndSensorIsDescribed() throws IOException {
         String text = document();
-        String complaint = Drawings.worldError(Drawings.worldText("<g data-xxxxxxxx=''/>")) + " " + Drawings.robotError(Drawings.robotText("<g data-xxxxxxxx=''/>"));
+        String complaint = Drawings.worldError(Drawings.worldText("<g data-xxxxxxxx=''/>")) + " "
+                + Drawings.robotError(Drawings.robotText("<g data-xxxxxxxx=''/>"));
         Matcher names = Pattern.compile("data-[a-wyz-]+").matcher(complaint);
         while (names.find()) {
             assertThat(text).contains("`" + names.group());
@@ -65,7 +67,9 @@ class FormatDocumentTest {
     }
 
     @Test void theComplaintShownIsTheComplaintGiven() throws IOException {
-        String complaint = Drawings.worldError("<svg viewBox='0 0 9 9'>\n\n\n\n\n\n<rect id='crate' data-solid='moveable' width='9' height='9'/></svg>");
+        String complaint = Drawings.worldError(
+                "<svg viewBox='0 0 9 9'>\n\n\n\n\n\n<rect id='crate' data-solid='moveable' width='9' "
+                        + "height='9'/></svg>");
         assertThat(document()).contains(complaint.replace("test.svg", "arena.svg"));
     }
 }

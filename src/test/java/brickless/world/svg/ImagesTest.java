@@ -70,12 +70,14 @@ class ImagesTest {
     }
 
     @Test void transparentPixelsLetTheFloorShow() {
-        World world = world("<rect width='1000' height='1000' fill='blue'/>" + image(mat(BufferedImage.TYPE_INT_ARGB, "png"), "width='400' height='200'"));
+        World world = world("<rect width='1000' height='1000' fill='blue'/>"
+                + image(mat(BufferedImage.TYPE_INT_ARGB, "png"), "width='400' height='200'"));
         assertThat(colour(world, 250, 150)).isEqualTo(0x80007F);
     }
 
     @Test void imagesTurnAndScaleWithTheirGroup() {
-        World world = world("<g transform='translate(500,0) rotate(90)'>" + image(mat(BufferedImage.TYPE_INT_RGB, "png"), "width='400' height='200'") + "</g>");
+        World world = world("<g transform='translate(500,0) rotate(90)'>"
+                + image(mat(BufferedImage.TYPE_INT_RGB, "png"), "width='400' height='200'") + "</g>");
         assertThat(colour(world, 450, 50)).isEqualTo(0xFF0000);
         assertThat(colour(world, 450, 150)).isEqualTo(0x00FF00);
         assertThat(colour(world, 350, 50)).isEqualTo(0xFFFFFF);
@@ -104,7 +106,8 @@ class ImagesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {BufferedImage.TYPE_3BYTE_BGR, BufferedImage.TYPE_4BYTE_ABGR, BufferedImage.TYPE_BYTE_INDEXED, BufferedImage.TYPE_INT_RGB})
+    @ValueSource(ints = {BufferedImage.TYPE_3BYTE_BGR, BufferedImage.TYPE_4BYTE_ABGR, BufferedImage.TYPE_BYTE_INDEXED,
+            BufferedImage.TYPE_INT_RGB})
     void pureColoursSurviveEveryStorageKind(int type) {
         World world = world(image(mat(type, "png"), "width='400' height='200'"));
         assertThat(colour(world, 50, 50)).isEqualTo(0xFF0000);
@@ -115,7 +118,8 @@ class ImagesTest {
     @Test void fileBesideTheDrawing() throws IOException, DescriptionException {
         Files.createDirectory(folder.resolve("mats"));
         Files.write(folder.resolve("mats/my mat.png"), mat(BufferedImage.TYPE_INT_RGB, "png"));
-        Path file = Files.writeString(folder.resolve("w.svg"), worldText("<image href='mats/my%20mat.png' width='400' height='200'/>"));
+        Path file = Files.writeString(folder.resolve("w.svg"),
+                worldText("<image href='mats/my%20mat.png' width='400' height='200'/>"));
         assertThat(colour(SvgWorldReader.read(file), 50, 50)).isEqualTo(0xFF0000);
     }
 
@@ -125,16 +129,21 @@ class ImagesTest {
             flat.setRGB(i % 16, i / 16, 0xFFC86432);
         }
         int rgb = colour(world(image(encoded(flat, "jpg"), "width='160' height='160'")), 80, 80);
-        assertThat(Math.abs((rgb >> 16) - 0xC8) + Math.abs((rgb >> 8 & 255) - 0x64) + Math.abs((rgb & 255) - 0x32)).isLessThan(12);
+        assertThat(Math.abs((rgb >> 16) - 0xC8) + Math.abs((rgb >> 8 & 255) - 0x64) + Math.abs((rgb & 255) - 0x32))
+                .isLessThan(12);
     }
 
     @Test void brokenImagesAreLocatedErrors() {
         byte[] cut = java.util.Arrays.copyOf(mat(BufferedImage.TYPE_INT_RGB, "png"), 40);
-        assertThat(worldError(worldText(image(cut, "id='mat' width='9' height='9'")))).isEqualTo("test.svg:2: mat: the image is damaged and cannot be decoded");
-        assertThat(worldError(worldText(image("GIF89a......".getBytes(java.nio.charset.StandardCharsets.US_ASCII), "width='9' height='9'"))))
+        assertThat(worldError(worldText(image(cut, "id='mat' width='9' height='9'"))))
+                .isEqualTo("test.svg:2: mat: the image is damaged and cannot be decoded");
+        assertThat(worldError(worldText(image("GIF89a......".getBytes(java.nio.charset.StandardCharsets.US_ASCII),
+                "width='9' height='9'"))))
                 .endsWith("the image is neither PNG nor JPEG; allowed: PNG, JPEG");
-        assertThat(worldError(worldText("<image href='data:image/png,abc' width='9' height='9'/>"))).contains("the embedded image is not base64");
-        assertThat(worldError(worldText("<image href='mat.png' width='9' height='9'/>"))).contains("cannot be found from a drawing that is not a file");
+        assertThat(worldError(worldText("<image href='data:image/png,abc' width='9' height='9'/>")))
+                .contains("the embedded image is not base64");
+        assertThat(worldError(worldText("<image href='mat.png' width='9' height='9'/>")))
+                .contains("cannot be found from a drawing that is not a file");
     }
 
     @Test void hugeImageIsRefusedBeforeItIsDecoded() {
@@ -143,6 +152,7 @@ class ImagesTest {
         java.util.zip.CRC32 crc = new java.util.zip.CRC32();
         crc.update(png, 12, 17);
         java.nio.ByteBuffer.wrap(png).putInt(29, (int) crc.getValue());
-        assertThat(worldError(worldText(image(png, "width='9' height='9'")))).contains("the image has 40000 x 40000 pixels; allowed: up to 16000000");
+        assertThat(worldError(worldText(image(png, "width='9' height='9'"))))
+                .contains("the image has 40000 x 40000 pixels; allowed: up to 16000000");
     }
 }

@@ -26,7 +26,8 @@ class InkscapeTest {
     }
 
     @Test void wallsOfTheWallLayer() {
-        assertThat(world.obstacles()).extracting(Obstacle::id).containsExactly("rect1021", "path2044", "path3300", "use3310");
+        assertThat(world.obstacles()).extracting(Obstacle::id)
+                .containsExactly("rect1021", "path2044", "path3300", "use3310");
         assertThat(world.obstacles().get(0).outlines().get(0).get(0)).isEqualTo(new Point2(0.01, 0.02));
         assertThat(world.obstacles().get(1).outlines()).as("line drawn as a wall").hasSize(2);
     }

@@ -14,11 +14,17 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Thousands of damaged drawings: each is read or refused with one line, never anything else. A failing index reproduces itself. */
+/**
+ * Thousands of damaged drawings: each is read or refused with one line, never anything else. A failing index reproduces
+ * itself.
+ */
 class MutationsTest {
-    private static final String[] SPLINTERS = {"\"", "<", ">", "&", "/", "-", "1e9", "0", "NaN", "-1", "1e-300", "url(#", "#", "none", "M", "Z", "A", " ", "\n",
-        "data-solid=\"fixed\"", "data-solid=\"movable\"", "data-zone=\"z\"", "data-edge=\"cliff\"", "data-beacon=\"1\"", "transform=\"scale(0)\"", "scale(1e6)",
-        "rotate(17)", "%", "}", "{", "<use href=\"#a\"/>", "<g>", "</g>", "]]>", "<!--", "\u0000", "\uD800", "é", "stroke-dasharray=\"1 2 3\"", "fill=\"none\""};
+    private static final String[] SPLINTERS = {"\"", "<", ">", "&", "/", "-", "1e9", "0", "NaN", "-1", "1e-300",
+            "url(#", "#", "none", "M", "Z", "A", " ", "\n",
+        "data-solid=\"fixed\"", "data-solid=\"movable\"", "data-zone=\"z\"", "data-edge=\"cliff\"", "data-beacon=\"1\"",
+                "transform=\"scale(0)\"", "scale(1e6)",
+        "rotate(17)", "%", "}", "{", "<use href=\"#a\"/>", "<g>", "</g>", "]]>", "<!--", "\u0000", "\uD800", "é",
+                "stroke-dasharray=\"1 2 3\"", "fill=\"none\""};
     private static final int MUTANTS_PER_SLICE = 2_500;
     private static final List<String> SEEDS = seeds();
 
@@ -32,10 +38,15 @@ class MutationsTest {
             throw new AssertionError(e);
         }
         texts.removeIf(text -> text.length() > 5_000);
-        texts.add("<svg viewBox='0 0 90 90'><defs><g id='a'><path d='M1 2 C3 4 5 6 7 8 S1 2 3 4 Q1 2 3 4 T9 9 A5 6 30 0 1 20 20z'/></g>"
-                + "<linearGradient id='l'><stop offset='.2' stop-color='red'/></linearGradient></defs><style>.s{fill:url(#l);stroke:rgb(1,2,3)}</style>"
-                + "<use href='#a' x='3' class='s' data-solid='movable'/><path data-solid='fixed' fill-rule='evenodd' d='M0,0h60v60h-60z M9,9h30v30h-30z'/>"
-                + "<image width='20' height='10' href='data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVQI12P4z8AAAAMBAQAY3Y2wAAAAAElFTkSuQmCC'/></svg>");
+        texts.add("<svg viewBox='0 0 90 90'><defs><g id='a'><path d='M1 2 C3 4 5 6 7 8 S1 2 3 4 Q1 2 3 4 T9 9 A5 6 "
+                + "30 0 1 20 20z'/></g>"
+                + "<linearGradient id='l'><stop offset='.2' "
+                        + "stop-color='red'/></linearGradient></defs><style>.s{fill:url(#l);stroke:rgb(1,2,3)}</style>"
+                + "<use href='#a' x='3' class='s' data-solid='movable'/><path data-solid='fixed' fill-rule='evenodd' "
+                        + "d='M0,0h60v60h-60z M9,9h30v30h-30z'/>"
+                + "<image width='20' height='10' "
+                        + "href='data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVQI"
+                + "12P4z8AAAAMBAQAY3Y2wAAAAAElFTkSuQmCC'/></svg>");
         return texts;
     }
 
@@ -47,7 +58,8 @@ class MutationsTest {
             int index = slice * MUTANTS_PER_SLICE + i;
             refused += attempt(index, mutant(index)) ? 0 : 1;
         }
-        assertThat(refused).as("some survive, some do not").isBetween(MUTANTS_PER_SLICE / 10, MUTANTS_PER_SLICE * 99 / 100);
+        assertThat(refused).as("some survive, some do not")
+                .isBetween(MUTANTS_PER_SLICE / 10, MUTANTS_PER_SLICE * 99 / 100);
     }
 
     private static String mutant(int index) {
@@ -73,7 +85,8 @@ class MutationsTest {
     private static void digit(StringBuilder text, int from, Random random) {
         for (int i = from; i < text.length(); i++) {
             if (Character.isDigit(text.charAt(i))) {
-                text.replace(i, i + 1, random.nextBoolean() ? String.valueOf(random.nextInt(10)) : SPLINTERS[random.nextInt(SPLINTERS.length)]);
+                text.replace(i, i + 1, random.nextBoolean() ? String.valueOf(random.nextInt(10))
+                        : SPLINTERS[random.nextInt(SPLINTERS.length)]);
                 return;
             }
         }

@@ -17,11 +17,13 @@ class ShapesTest {
     }
 
     @Test void rectangle() {
-        assertThat(outline("<rect data-solid='fixed' x='10' y='20' width='30' height='40'/>")).isEqualTo("10,20 40,20 40,60 10,60");
+        assertThat(outline("<rect data-solid='fixed' x='10' y='20' width='30' height='40'/>"))
+                .isEqualTo("10,20 40,20 40,60 10,60");
     }
 
     @Test void rectangleMayStateItsUnits() {
-        assertThat(outline("<rect data-solid='fixed' x='1cm' y='20mm' width='10%' height='1in'/>")).isEqualTo("10,20 110,20 110,45.4 10,45.4");
+        assertThat(outline("<rect data-solid='fixed' x='1cm' y='20mm' width='10%' height='1in'/>"))
+                .isEqualTo("10,20 110,20 110,45.4 10,45.4");
     }
 
     @Test void roundedRectangleLosesFourCorners() {
@@ -37,7 +39,8 @@ class ShapesTest {
 
     @Test void circleKeepsItsExtremePointsAndStaysWithinAFifthOfAMillimetre() {
         List<Point2> ring = points("<circle data-solid='fixed' cx='100' cy='200' r='50'/>");
-        assertThat(ring).contains(new Point2(0.15, 0.2), new Point2(0.1, 0.25), new Point2(0.05, 0.2), new Point2(0.1, 0.15));
+        assertThat(ring).contains(new Point2(0.15, 0.2), new Point2(0.1, 0.25), new Point2(0.05, 0.2),
+                new Point2(0.1, 0.15));
         for (int i = 0; i < ring.size(); i++) {
             Point2 a = ring.get(i);
             Point2 b = ring.get((i + 1) % ring.size());
@@ -65,12 +68,15 @@ class ShapesTest {
     }
 
     @Test void pathWithAbsoluteAndRelativeLines() {
-        assertThat(outline("<path data-solid='fixed' d='M10 10 h30 v30 l-15,15L10,40z'/>")).isEqualTo("10,10 40,10 40,40 25,55 10,40");
-        assertThat(outline("<path data-solid='fixed' d='m10,10 30,0 0,30 H10 V25'/>")).isEqualTo("10,10 40,10 40,40 10,40");
+        assertThat(outline("<path data-solid='fixed' d='M10 10 h30 v30 l-15,15L10,40z'/>"))
+                .isEqualTo("10,10 40,10 40,40 25,55 10,40");
+        assertThat(outline("<path data-solid='fixed' d='m10,10 30,0 0,30 H10 V25'/>"))
+                .isEqualTo("10,10 40,10 40,40 10,40");
     }
 
     @Test void numbersInPathsNeedNoSeparators() {
-        assertThat(outline("<path data-solid='fixed' d='M.5.5L10.5.5 10.5-9.5.5-9.5z'/>")).isEqualTo("0.5,-9.5 10.5,-9.5 10.5,0.5 0.5,0.5");
+        assertThat(outline("<path data-solid='fixed' d='M.5.5L10.5.5 10.5-9.5.5-9.5z'/>"))
+                .isEqualTo("0.5,-9.5 10.5,-9.5 10.5,0.5 0.5,0.5");
         assertThat(outline("<path data-solid='fixed' d='M0,0 1e2,0 1E2,5e+1z'/>")).isEqualTo("0,0 100,0 100,50");
     }
 
@@ -81,7 +87,8 @@ class ShapesTest {
 
     @Test void smoothCubicMirrorsTheControlPoint() {
         assertThat(outline("<path data-solid='fixed' d='M0,0 C0,60 100,60 100,0 S200,-60 200,0 L200,100 0,100z'/>"))
-                .isEqualTo(outline("<path data-solid='fixed' d='M0,0 C0,60 100,60 100,0 C100,-60 200,-60 200,0 L200,100 0,100z'/>"));
+                .isEqualTo(outline("<path data-solid='fixed' d='M0,0 C0,60 100,60 100,0 C100,-60 200,-60 200,0 "
+                        + "L200,100 0,100z'/>"));
     }
 
     @Test void smoothCubicWithoutACurveBeforeStartsAtThePen() {
@@ -102,16 +109,22 @@ class ShapesTest {
     @Test void fourArcsOfACircleByTheirFlags() {
         double circle = Math.PI * 2500;
         double small = circle / 4 - 1250;
-        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 0 1 100,50 z'/>"))).isCloseTo(small, within(20.0));
-        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 0 0 100,50 z'/>"))).isCloseTo(small, within(20.0));
-        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 1 1 100,50 z'/>"))).isCloseTo(circle - small, within(40.0));
-        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 1 0 100,50 z'/>"))).isCloseTo(circle - small, within(40.0));
-        assertThat(points("<path data-solid='fixed' d='M50,0A50 50 0 0150,100z'/>").stream().mapToDouble(Point2::x).max().orElse(0))
+        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 0 1 100,50 z'/>")))
+                .isCloseTo(small, within(20.0));
+        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 0 0 100,50 z'/>")))
+                .isCloseTo(small, within(20.0));
+        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 1 1 100,50 z'/>")))
+                .isCloseTo(circle - small, within(40.0));
+        assertThat(area(points("<path data-solid='fixed' d='M50,0 A50,50 0 1 0 100,50 z'/>")))
+                .isCloseTo(circle - small, within(40.0));
+        assertThat(points("<path data-solid='fixed' d='M50,0A50 50 0 0150,100z'/>").stream().mapToDouble(Point2::x)
+                .max().orElse(0))
                 .isCloseTo(0.1, within(0.0002));
     }
 
     @Test void arcWithTooSmallRadiiGrowsAndRotatedEllipseTurns() {
-        assertThat(area(points("<path data-solid='fixed' d='M0,0 A10,10 0 0 1 100,0 z'/>"))).isCloseTo(Math.PI * 2500 / 2, within(30.0));
+        assertThat(area(points("<path data-solid='fixed' d='M0,0 A10,10 0 0 1 100,0 z'/>")))
+                .isCloseTo(Math.PI * 2500 / 2, within(30.0));
         List<Point2> ring = points("<path data-solid='fixed' d='M50,0 A80,20 90 0 1 50,160 A80,20 90 0 1 50,0z'/>");
         assertThat(ring.stream().mapToDouble(Point2::x).max().orElse(0)).isCloseTo(0.07, within(0.0002));
     }
@@ -127,6 +140,7 @@ class ShapesTest {
     }
 
     @Test void pointsOnStraightLinesAndRepeatedPointsAreDropped() {
-        assertThat(outline("<polygon data-solid='fixed' points='0,0 10,0 20,0 20,0 20,20 0,20 0,10 0,0'/>")).isEqualTo("0,0 20,0 20,20 0,20");
+        assertThat(outline("<polygon data-solid='fixed' points='0,0 10,0 20,0 20,0 20,20 0,20 0,10 0,0'/>"))
+                .isEqualTo("0,0 20,0 20,20 0,20");
     }
 }

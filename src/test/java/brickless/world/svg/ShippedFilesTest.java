@@ -30,10 +30,13 @@ class ShippedFilesTest {
     }
 
     @Test void allAreThere() {
-        assertThat(Shipped.worlds()).extracting(path -> path.getFileName().toString()).contains("pen.svg", "line-loop.svg", "maze.svg", "corridor.svg",
-                "obstacle-course.svg", "line-crossings.svg", "colour-tiles.svg", "table-top.svg", "sumo-ring.svg", "beacon-room.svg", "can-field.svg",
+        assertThat(Shipped.worlds()).extracting(path -> path.getFileName().toString())
+                .contains("pen.svg", "line-loop.svg", "maze.svg", "corridor.svg",
+                "obstacle-course.svg", "line-crossings.svg", "colour-tiles.svg", "table-top.svg", "sumo-ring.svg",
+                        "beacon-room.svg", "can-field.svg",
                 "lamp-room.svg");
-        assertThat(Shipped.robots()).extracting(path -> path.getFileName().toString()).contains("educator.svg", "tribot-caster.svg", "medium-turret.svg",
+        assertThat(Shipped.robots()).extracting(path -> path.getFileName().toString())
+                .contains("educator.svg", "tribot-caster.svg", "medium-turret.svg",
                 "gripper.svg", "tracked.svg", "sumo.svg", "three-wheel-holonomic.svg");
     }
 
@@ -66,7 +69,8 @@ class ShippedFilesTest {
         assertThat(robot.massKilograms()).isEqualTo(0.75);
         assertThat(robot.wheels()).extracting(Wheel::port).containsExactly(1, 2);
         assertThat(robot.wheels()).extracting(Wheel::diameterMetres).containsOnly(0.056);
-        assertThat(robot.wheels().get(1).position().y() - robot.wheels().get(0).position().y()).as("track").isCloseTo(0.12, within(1e-9));
+        assertThat(robot.wheels().get(1).position().y() - robot.wheels().get(0).position().y()).as("track")
+                .isCloseTo(0.12, within(1e-9));
         assertThat(robot.sensors().stream().map(sensor -> sensor.port() + " " + sensor.type().attribute()))
                 .containsExactlyInAnyOrder("0 ev3-touch", "1 ev3-gyro", "2 ev3-color", "3 ev3-ultrasonic");
     }
@@ -75,7 +79,8 @@ class ShippedFilesTest {
         World pen = world("pen");
         assertThat(new double[] {pen.width(), pen.height()}).containsExactly(2, 1.5);
         assertThat(pen.obstacles().stream().filter(Obstacle::movable)).hasSizeGreaterThanOrEqualTo(5);
-        assertThat(pen.obstacles().stream().filter(Obstacle::movable).map(Obstacle::massKilograms).distinct()).hasSizeGreaterThanOrEqualTo(5);
+        assertThat(pen.obstacles().stream().filter(Obstacle::movable).map(Obstacle::massKilograms).distinct())
+                .hasSizeGreaterThanOrEqualTo(5);
         assertThat(pen.zones().get(0).region().contains(1.56, 1.2)).isTrue();
         assertThat(new Floor(pen).rgbAt(1.545, 1.2)).isEqualTo(0x9FD8A4);
     }
@@ -103,7 +108,8 @@ class ShippedFilesTest {
 
     @Test void holonomicWheelsRollAroundTheMiddle() throws DescriptionException {
         for (Wheel wheel : robot("three-wheel-holonomic").wheels()) {
-            double radial = StrictMath.cos(wheel.headingRadians()) * wheel.position().x() + StrictMath.sin(wheel.headingRadians()) * wheel.position().y();
+            double radial = StrictMath.cos(wheel.headingRadians()) * wheel.position().x()
+                    + StrictMath.sin(wheel.headingRadians()) * wheel.position().y();
             assertThat(wheel.omni()).isTrue();
             assertThat(radial).as(wheel.id()).isCloseTo(0, within(1e-9));
             assertThat(Math.hypot(wheel.position().x(), wheel.position().y())).isCloseTo(0.092, within(1e-9));

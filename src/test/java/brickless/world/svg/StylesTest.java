@@ -60,11 +60,13 @@ class StylesTest {
         assertThat(colour(sheet + "<rect fill='white' width='9' height='9'/>")).isEqualTo("255 0 0");
         assertThat(colour(sheet + "<rect class='x b' fill='white' width='9' height='9'/>")).isEqualTo("0 128 0");
         assertThat(colour(sheet + "<rect id='c' class='b' width='9' height='9'/>")).isEqualTo("0 0 255");
-        assertThat(colour(sheet + "<rect id='c' style='fill:#123456;stroke:none' width='9' height='9'/>")).isEqualTo("18 52 86");
+        assertThat(colour(sheet + "<rect id='c' style='fill:#123456;stroke:none' width='9' height='9'/>"))
+                .isEqualTo("18 52 86");
     }
 
     @Test void selectorsMayBeCombinedListedAndCommented() {
-        String sheet = "<style><![CDATA[ /* tape */ circle.a, rect.a.b { fill: navy } * { fill-opacity: 0.5 } @media print { rect { fill: red } }"
+        String sheet = "<style><![CDATA[ /* tape */ circle.a, rect.a.b { fill: navy } * { fill-opacity: 0.5 } @media "
+                + "print { rect { fill: red } }"
                 + " @import url('x.css'); rect:hover { fill: red } ]]></style>";
         assertThat(colour(sheet + "<rect class='b a' width='9' height='9'/>")).isEqualTo("0 0 128");
         assertThat(colour(sheet + "<rect class='a' width='9' height='9'/>")).isEqualTo("0 0 0");
@@ -72,11 +74,14 @@ class StylesTest {
     }
 
     @Test void opacitiesMultiply() {
-        assertThat(floor("<g opacity='0.5'><g opacity='50%'><rect fill='red' fill-opacity='.8' width='9' height='9'/></g></g>").get(0).opacity())
+        assertThat(floor("<g opacity='0.5'><g opacity='50%'><rect fill='red' fill-opacity='.8' width='9' "
+                + "height='9'/></g></g>").get(0).opacity())
                 .isCloseTo(0.2, within(1e-12));
         assertThat(floor("<rect fill='rgba(1,2,3,0.25)' width='9' height='9'/>").get(0).opacity()).isEqualTo(0.25);
-        assertThat(floor("<rect fill='#01020380' width='9' height='9'/>").get(0).opacity()).isCloseTo(128 / 255.0, within(1e-12));
-        assertThat(floor("<rect fill='transparent' width='9' height='9'/><rect fill='none' width='9' height='9'/>")).isEmpty();
+        assertThat(floor("<rect fill='#01020380' width='9' height='9'/>").get(0).opacity())
+                .isCloseTo(128 / 255.0, within(1e-12));
+        assertThat(floor("<rect fill='transparent' width='9' height='9'/><rect fill='none' width='9' height='9'/>"))
+                .isEmpty();
     }
 
     @Test void fillLiesBelowTheLine() {
@@ -91,9 +96,11 @@ class StylesTest {
     }
 
     @Test void gradientCountsAsItsAverage() {
-        String defs = "<defs><linearGradient id='g'><stop offset='0' stop-color='black'/><stop offset='1' style='stop-color:#ffffff'/></linearGradient>"
+        String defs = "<defs><linearGradient id='g'><stop offset='0' stop-color='black'/><stop offset='1' "
+                + "style='stop-color:#ffffff'/></linearGradient>"
                 + "<radialGradient id='h' href='#g'/>"
-                + "<linearGradient id='k'><stop offset='50%' stop-color='rgb(100,0,0)'/><stop offset='.5' stop-color='rgb(0,0,200)'/></linearGradient></defs>";
+                + "<linearGradient id='k'><stop offset='50%' stop-color='rgb(100,0,0)'/><stop offset='.5' "
+                        + "stop-color='rgb(0,0,200)'/></linearGradient></defs>";
         assertThat(colour(defs + "<rect width='9' height='9' fill='url(#g)'/>")).isEqualTo("128 128 128");
         assertThat(colour(defs + "<rect width='9' height='9' style=\"fill:url('#h')\"/>")).isEqualTo("128 128 128");
         assertThat(colour(defs + "<rect width='9' height='9' fill='url(#k)'/>")).isEqualTo("50 0 100");

@@ -17,9 +17,11 @@ import org.junit.jupiter.api.Test;
 
 class WorldMeaningTest {
     @Test void pageIsTheViewBoxInMillimetres() throws DescriptionException {
-        World world = SvgWorldReader.readText("a/b/table.svg", "<svg width='20cm' height='7' viewBox='-100 -50 2000 1500'/>");
+        World world = SvgWorldReader.readText("a/b/table.svg",
+                "<svg width='20cm' height='7' viewBox='-100 -50 2000 1500'/>");
         assertThat(world.name()).isEqualTo("table");
-        assertThat(new double[] {world.minX(), world.minY(), world.width(), world.height()}).containsExactly(-0.1, -0.05, 2, 1.5);
+        assertThat(new double[] {world.minX(), world.minY(), world.width(), world.height()})
+                .containsExactly(-0.1, -0.05, 2, 1.5);
     }
 
     @Test void withoutAViewBoxWidthAndHeightCount() throws DescriptionException {
@@ -31,7 +33,8 @@ class WorldMeaningTest {
 
     @Test void zonesAreNeitherSeenNorFelt() {
         World world = world("<rect data-zone='goal' x='100' y='100' width='50' height='50' fill='red'/>"
-                + "<line data-zone='finish' x1='0' y1='10' x2='100' y2='10' stroke='red' stroke-width='10'/><g data-zone='goal'><circle r='20'/></g>");
+                + "<line data-zone='finish' x1='0' y1='10' x2='100' y2='10' stroke='red' stroke-width='10'/><g "
+                        + "data-zone='goal'><circle r='20'/></g>");
         assertThat(world.zones()).extracting(Zone::name).containsExactly("goal", "finish", "goal");
         assertThat(world.zones().get(0).region().contains(0.149, 0.101)).isTrue();
         assertThat(world.zones().get(0).region().contains(0.151, 0.101)).isFalse();
@@ -41,7 +44,8 @@ class WorldMeaningTest {
     }
 
     @Test void zoneNeedsNoFill() {
-        assertThat(world("<path data-zone='z' fill='none' d='M0,0h100v100'/>").zones().get(0).region().contains(0.09, 0.05)).isTrue();
+        assertThat(world("<path data-zone='z' fill='none' d='M0,0h100v100'/>").zones().get(0).region()
+                .contains(0.09, 0.05)).isTrue();
     }
 
     @Test void tableTopIsAnEdgeAndIsPaintedToo() {
@@ -55,7 +59,8 @@ class WorldMeaningTest {
     }
 
     @Test void severalTablesAddUp() {
-        World world = world("<g data-edge='cliff'><rect width='100' height='100'/><rect x='200' width='100' height='100'/></g>");
+        World world = world("<g data-edge='cliff'><rect width='100' height='100'/><rect x='200' width='100' "
+                + "height='100'/></g>");
         assertThat(world.table()).hasValueSatisfying(table -> {
             assertThat(table.contains(0.05, 0.05)).isTrue();
             assertThat(table.contains(0.15, 0.05)).isFalse();
@@ -65,7 +70,8 @@ class WorldMeaningTest {
 
     @Test void beaconsAndLampsSitInTheMiddleOfTheirShapes() {
         World world = world("<circle id='b' data-beacon='3' cx='200' cy='300' r='20'/>"
-                + "<rect id='l' data-lamp-lux='450.5' x='10' y='20' width='40' height='20' transform='translate(100,0)'/>");
+                + "<rect id='l' data-lamp-lux='450.5' x='10' y='20' width='40' height='20' "
+                        + "transform='translate(100,0)'/>");
         assertThat(world.beacons()).containsExactly(new Beacon("b", 3, new Point2(0.2, 0.3)));
         assertThat(world.lamps()).containsExactly(new Lamp("l", 450.5, new Point2(0.13, 0.03)));
         assertThat(world.floor()).isEmpty();
@@ -86,7 +92,8 @@ class WorldMeaningTest {
 
     @Test void robotsStandAtTheOriginOfTheirGroupFacingItsXAxis() {
         World world = world("<defs><path id='mark' d='M0,0h10'/></defs><g transform='translate(100,200)'>"
-                + "<g data-robot='a' transform='rotate(90)' data-model='../robots/sumo.svg' data-program='Pusher.java'><rect width='50' height='50'/></g></g>"
+                + "<g data-robot='a' transform='rotate(90)' data-model='../robots/sumo.svg' "
+                        + "data-program='Pusher.java'><rect width='50' height='50'/></g></g>"
                 + "<use data-robot='b' href='#mark' x='500' y='600'/>");
         assertThat(world.placements()).hasSize(2);
         Placement first = world.placements().get(0);
@@ -103,6 +110,7 @@ class WorldMeaningTest {
     }
 
     @Test void drawingIsKeptForPictures() {
-        assertThat(world("<rect width='5' height='5'/>").svg()).isEqualTo(Drawings.worldText("<rect width='5' height='5'/>"));
+        assertThat(world("<rect width='5' height='5'/>").svg())
+                .isEqualTo(Drawings.worldText("<rect width='5' height='5'/>"));
     }
 }
