@@ -9,8 +9,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import programs.kit.BusCost;
-import programs.kit.Charges;
+import kit.BusCost;
+import kit.Charges;
 
 /** What calls cost in simulated time; the estimates stand in {@code Costs} and {@code PanelCharges}. */
 class ChargesTest {

@@ -14,10 +14,10 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import programs.kit.Crash;
-import programs.kit.Follower;
-import programs.kit.Layers;
-import programs.kit.Leaves;
+import kit.Crash;
+import kit.Follower;
+import kit.Layers;
+import kit.Leaves;
 
 /** Layers of the screen, exceptions, and the ways a program ends. */
 class LifeCycleTest {
@@ -88,8 +88,8 @@ class LifeCycleTest {
     void motorsCoastWhenTheProgramIsOver(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("robot.svg"), Kit.BENCH);
         Path world = Files.writeString(folder.resolve("two.svg"), Kit.world(
-                "<g data-robot='leaver' data-model='robot.svg' data-program='programs.kit.Leaves' transform='translate(400,400)'/>"
-                + "<g data-robot='stayer' data-model='robot.svg' data-program='programs.kit.Follower' transform='translate(400,1600)'/>"));
+                "<g data-robot='leaver' data-model='robot.svg' data-program='kit.Leaves' transform='translate(400,400)'/>"
+                + "<g data-robot='stayer' data-model='robot.svg' data-program='kit.Follower' transform='translate(400,1600)'/>"));
         SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(Files.readString(world))).worldFile(world.toString()).build();
         try (Run run = new Simulation(settings).start(Leaves.class)) {
             run.advance(Duration.ofMillis(1000));

@@ -8,11 +8,11 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
-import programs.kit.OnlyRotates;
-import programs.kit.Rotations;
-import programs.kit.Stalls;
-import programs.kit.Together;
-import programs.kit.Unregulated;
+import kit.OnlyRotates;
+import kit.Rotations;
+import kit.Stalls;
+import kit.Together;
+import kit.Unregulated;
 
 /** Whole programs that move motors, held against the numbers that are known of leJOS on a brick. */
 class MotorRunsTest {

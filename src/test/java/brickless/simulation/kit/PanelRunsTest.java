@@ -16,10 +16,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import programs.kit.Buttons;
-import programs.kit.Menu;
-import programs.kit.Signals;
-import programs.kit.Volts;
+import kit.Buttons;
+import kit.Menu;
+import kit.Signals;
+import kit.Volts;
 
 /** Whole programs that use keys, menu, LEDs, loudspeaker and battery. */
 class PanelRunsTest {

@@ -9,10 +9,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import programs.kit.Contacts;
-import programs.kit.EV3Sensors;
-import programs.kit.OlderSensors;
-import programs.kit.Turning;
+import kit.Contacts;
+import kit.EV3Sensors;
+import kit.OlderSensors;
+import kit.Turning;
 
 /** Whole programs that read sensors in a room of known size: exact when ideal, within known bounds when not. */
 class SensorRunsTest {

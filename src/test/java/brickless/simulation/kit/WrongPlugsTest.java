@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import programs.kit.WrongPlugs;
+import kit.WrongPlugs;
 
 /** The original's exceptions, with a cause that says what is plugged in and what to change. */
 class WrongPlugsTest {

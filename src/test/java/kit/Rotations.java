@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.hardware.Battery;
 import lejos.hardware.motor.EV3LargeRegulatedMotor;

@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.hardware.lcd.LCD;
 import lejos.utility.TextMenu;

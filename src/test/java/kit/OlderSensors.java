@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.hardware.port.SensorPort;
 import lejos.hardware.sensor.EV3IRSensor;

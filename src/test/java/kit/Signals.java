@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;

@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import java.util.function.Supplier;
 import lejos.hardware.motor.EV3LargeRegulatedMotor;

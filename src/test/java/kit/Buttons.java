@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.hardware.Button;
 import lejos.utility.Delay;

@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.robotics.SampleProvider;
 import lejos.utility.Delay;

@@ -1,4 +1,4 @@
-package programs.kit;
+package kit;
 
 import lejos.hardware.motor.Motor;
 import lejos.hardware.port.SensorPort;
