@@ -117,22 +117,35 @@ public final class ProgramFinder {
         if (sources.isEmpty()) {
             return choose(path, name);
         }
+        return compiled(sources, target -> choose(target, name));
+    }
+
+    /** Compiles into a temporary directory, which goes with the program, or at once if no program comes of it. */
+    private Program compiled(List<Path> sources, MainChoice choice) throws ProgramException, IOException {
         Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
-        return choose(target, name).compiledInto(target);
+        Program found = null;
+        try {
+            new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+            found = choice.in(target).compiledInto(target);
+            return found;
+        } finally {
+            if (found == null) {
+                Program.delete(target);
+            }
+        }
+    }
+
+    /** Decides what the main class is. */
+    private interface MainChoice {
+        Program in(Path classes) throws ProgramException, IOException;
     }
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
-        Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(List.of(path), SourceCompiler.rootsOf(List.of(path)), target);
         String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
         String packageName = SourceCompiler.packageOf(path);
         String own = packageName.isEmpty() ? simple : packageName + "." + simple;
-        List<String> mains = MainClasses.of(target);
-        if (wantedMain.isEmpty() && mains.contains(own)) {
-            return checked(own, List.of(target), name).compiledInto(target);
-        }
-        return choose(target, name).compiledInto(target);
+        return compiled(List.of(path), target -> wantedMain.isEmpty() && MainClasses.of(target).contains(own)
+                ? checked(own, List.of(target), name) : choose(target, name));
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
