@@ -9,12 +9,12 @@ import brickless.world.svg.SvgWorldReader;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import programs.passing.sensors.DistanceWatch;
-import programs.passing.sensors.KeyWatch;
-import programs.passing.sensors.RemoteWatch;
-import programs.passing.sensors.SoundWatch;
-import programs.passing.sensors.TouchWatch;
-import programs.passing.sensors.VoltageWatch;
+import programs.robots.DistanceWatch;
+import programs.robots.KeyWatch;
+import programs.robots.RemoteWatch;
+import programs.robots.SoundWatch;
+import programs.robots.TouchWatch;
+import programs.robots.VoltageWatch;
 
 /** Every kind of stimulus reaches the program. */
 class StimuliTest {
