@@ -10,6 +10,7 @@ import lejos.utility.Delay;
 class BackOff implements Behavior {
     private final Wheels wheels;
     private final TouchAdapter bumper;
+    private boolean bumped;
     private int bumps;
 
     BackOff(Wheels wheels, EV3TouchSensor bumper) {
@@ -19,11 +20,14 @@ class BackOff implements Behavior {
 
     @Override
     public boolean takeControl() {
-        return bumper.isPressed();
+        // A box that is pushed along lets the bumper go at once: remember the touch until it has been answered.
+        bumped = bumped || bumper.isPressed();
+        return bumped;
     }
 
     @Override
     public void action() {
+        bumped = false;
         bumps++;
         LCD.drawString("Bumps " + bumps, 0, 6);
         wheels.forward(240);

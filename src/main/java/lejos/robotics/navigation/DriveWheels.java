@@ -172,11 +172,12 @@ final class DriveWheels {
 
     /** Begins to drive along a curve that turns the robot by an angle in degrees, forward if positive. */
     void followCurve(Curve curve, double acceleration, double angle) {
-        double perRatio = 2 * angle / (1 - curve.ratio());
+        int outsideDegrees = (int) (2 * angle * curve.outside().turnRatio() / (1 - curve.ratio()));
+        double insideShare = curve.ratio() * curve.inside().turnRatio() / curve.outside().turnRatio();
         together(() -> {
             curve.prepare(acceleration);
-            curve.inside().rotate(curve.ratio() * perRatio * curve.inside().turnRatio());
-            curve.outside().rotate(perRatio * curve.outside().turnRatio());
+            curve.inside().rotate(outsideDegrees * insideShare);
+            curve.outside().rotate(outsideDegrees);
         });
     }
 
