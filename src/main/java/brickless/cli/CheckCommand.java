@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -81,7 +82,10 @@ final class CheckCommand implements Callable<Integer> {
 
     private int report(List<MissingReference> missing) {
         Map<String, List<String>> uses = new LinkedHashMap<>();
-        for (MissingReference reference : missing) {
+        List<MissingReference> byLine = new ArrayList<>(missing);
+        byLine.sort(Comparator.comparing(MissingReference::owner).thenComparing(MissingReference::member).thenComparing(MissingReference::usedBy)
+                .thenComparingInt(MissingReference::line));
+        for (MissingReference reference : byLine) {
             uses.computeIfAbsent(MemberText.of(reference), key -> new ArrayList<>())
                     .add(reference.usedBy() + (reference.line() > 0 ? ":" + reference.line() : ""));
         }

@@ -13,11 +13,12 @@ import java.util.stream.Stream;
  * A program ready to run.
  *
  * @param name the program as the user named it
- * @param mainClass binary name of the class with the main method
+ * @param mainClass binary name of the class with the main method; empty: unknown
  * @param classPath directories and jars with its classes, in order; empty: they are on the application's own class path
  * @param temporary directory of classes compiled for this run, removed by {@link #close()}
  */
-public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary) implements AutoCloseable {
+public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary)
+        implements AutoCloseable {
     public Program {
         classPath = List.copyOf(classPath);
     }
@@ -25,6 +26,11 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
     /** A program whose classes are on the application's own class path, as in a test. */
     public static Program onClassPath(String mainClass) {
         return new Program(mainClass, mainClass, List.of(), Optional.empty());
+    }
+
+    /** A program of which nothing is known: it runs already, and was started by something else. */
+    public static Program unknown() {
+        return new Program("", "", List.of(), Optional.empty());
     }
 
     /** The main class without its package. */
@@ -40,7 +46,7 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
         temporary.ifPresent(Program::delete);
     }
 
-    private static void delete(Path directory) {
+    static void delete(Path directory) {
         try (Stream<Path> files = Files.walk(directory)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.delete(file);

@@ -13,8 +13,8 @@ import java.util.jar.Manifest;
 import java.util.stream.Stream;
 
 /**
- * Turns what a user typed into a {@link Program}: a class name, a {@code .java} or {@code .class} file, a directory of sources or classes,
- * or a jar.
+ * Turns what a user typed into a {@link Program}: a class name, a {@code .java} or {@code .class} file, a directory of
+ * sources or classes, or a jar.
  */
 public final class ProgramFinder {
     private final List<Path> classPath;
@@ -63,7 +63,8 @@ public final class ProgramFinder {
             if (name.endsWith(".class")) {
                 return fromClassFile(path, name);
             }
-            throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a directory or a .jar");
+            throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a "
+                    + "directory or a .jar");
         } catch (IOException e) {
             throw new ProgramException(name + ": cannot be read: " + e.getMessage());
         }
@@ -85,7 +86,8 @@ public final class ProgramFinder {
     }
 
     private Program byClassName(String name) throws ProgramException, IOException {
-        boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar") || name.endsWith(".class");
+        boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar")
+                || name.endsWith(".class");
         if (!looksLikeFile) {
             for (Path entry : resolvedClassPath()) {
                 if (MainClasses.contains(entry, name)) {
@@ -96,7 +98,8 @@ public final class ProgramFinder {
                 return onClassPath(wantedMain.orElse(name), name);
             }
         }
-        throw new ProgramException(name + ": no such program: neither a file or directory in " + directory + " nor a class on the class path");
+        throw new ProgramException(name + ": no such program: neither a file or directory in " + directory
+                + " nor a class on the class path");
     }
 
     private static String fileOf(String className) {
@@ -117,22 +120,35 @@ public final class ProgramFinder {
         if (sources.isEmpty()) {
             return choose(path, name);
         }
+        return compiled(sources, target -> choose(target, name));
+    }
+
+    /** Compiles into a temporary directory, which goes with the program, or at once if no program comes of it. */
+    private Program compiled(List<Path> sources, MainChoice choice) throws ProgramException, IOException {
         Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
-        return choose(target, name).compiledInto(target);
+        Program found = null;
+        try {
+            new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+            found = choice.in(target).compiledInto(target);
+            return found;
+        } finally {
+            if (found == null) {
+                Program.delete(target);
+            }
+        }
+    }
+
+    /** Decides what the main class is. */
+    private interface MainChoice {
+        Program in(Path classes) throws ProgramException, IOException;
     }
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
-        Path target = Files.createTempDirectory("brickless-classes");
-        new SourceCompiler(resolvedClassPath()).compile(List.of(path), SourceCompiler.rootsOf(List.of(path)), target);
         String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
         String packageName = SourceCompiler.packageOf(path);
         String own = packageName.isEmpty() ? simple : packageName + "." + simple;
-        List<String> mains = MainClasses.of(target);
-        if (wantedMain.isEmpty() && mains.contains(own)) {
-            return checked(own, List.of(target), name).compiledInto(target);
-        }
-        return choose(target, name).compiledInto(target);
+        return compiled(List.of(path), target -> wantedMain.isEmpty() && MainClasses.of(target).contains(own)
+                ? checked(own, List.of(target), name) : choose(target, name));
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
@@ -147,13 +163,15 @@ public final class ProgramFinder {
     }
 
     private Program fromClassFile(Path path, String name) throws ProgramException, IOException {
-        String className = MainClasses.nameOf(Files.readAllBytes(path)).orElseThrow(() -> new ProgramException(name + ": not a class file"));
+        String className = MainClasses.nameOf(Files.readAllBytes(path)).orElseThrow(() -> new ProgramException(name
+                + ": not a class file"));
         Path root = path.toAbsolutePath().getParent();
         for (int dots = className.length() - className.replace(".", "").length(); dots > 0 && root != null; dots--) {
             root = root.getParent();
         }
         if (root == null || !Files.exists(root.resolve(className.replace('.', '/') + ".class"))) {
-            throw new ProgramException(name + ": class " + className + " does not lie in the directories of its package");
+            throw new ProgramException(name + ": class " + className
+                    + " does not lie in the directories of its package");
         }
         return checked(wantedMain.orElse(className), List.of(root), name);
     }
@@ -170,7 +188,8 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
         }
         if (mains.size() > 1) {
-            throw new ProgramException(name + ": several main classes, choose one with --main: " + String.join(", ", mains));
+            throw new ProgramException(name + ": several main classes, choose one with --main: "
+                    + String.join(", ", mains));
         }
         return checked(mains.get(0), List.of(classes), name);
     }
@@ -204,7 +223,8 @@ public final class ProgramFinder {
 
     private static List<Path> filesEndingIn(Path directory, String ending) throws IOException {
         try (Stream<Path> files = Files.walk(directory)) {
-            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted()
+                    .toList();
         }
     }
 }

@@ -60,6 +60,9 @@ public final class ProgramClasses {
 
     /** Of a program on the application's class path (a test): the classes of the main class' package, or its own nested ones. */
     private List<byte[]> besideMainClass() throws IOException {
+        if (program.mainClass().isEmpty()) {
+            return List.of();
+        }
         String resource = program.mainClass().replace('.', '/') + ".class";
         URL url = Thread.currentThread().getContextClassLoader().getResource(resource);
         if (url == null) {

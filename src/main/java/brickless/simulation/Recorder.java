@@ -14,7 +14,10 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 
-/** Writes down a run: trace with hash always, the other files if there is a folder for them. Used by one thread at a time. */
+/**
+ * Writes down a run: trace with hash always, the other files if there is a folder for them. What comes after {@link #finish} is dropped: in
+ * live mode threads of the program outlive the run. Used by one thread at a time.
+ */
 final class Recorder {
     private final Optional<RunFolder> folder;
     private final TraceWriter trace;
@@ -22,6 +25,7 @@ final class Recorder {
     private final OutputStream console;
     private final PathDrawing path = new PathDrawing();
     private final Optional<ReportRecording> recording;
+    private boolean finished;
 
     Recorder(Optional<RunFolder> folder, TraceHeader header) {
         this.folder = folder;
@@ -33,11 +37,17 @@ final class Recorder {
     }
 
     void event(long timeNanos, String robot, TraceEvent event) {
+        if (finished) {
+            return;
+        }
         trace.event(timeNanos, robot, event);
         recording.ifPresent(r -> r.event(timeNanos, robot, event));
     }
 
     void sample(Sample sample) {
+        if (finished) {
+            return;
+        }
         trace.sample(sample);
         signals.ifPresent(s -> s.sample(sample));
         recording.ifPresent(r -> r.sample(sample));
@@ -45,6 +55,9 @@ final class Recorder {
     }
 
     void console(byte[] bytes, int offset, int length) {
+        if (finished) {
+            return;
+        }
         try {
             console.write(bytes, offset, length);
         } catch (IOException e) {
@@ -63,6 +76,7 @@ final class Recorder {
 
     /** Ends the trace and returns its hash. */
     String finish() {
+        finished = true;
         try {
             trace.close();
             console.close();

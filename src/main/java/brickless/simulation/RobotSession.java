@@ -2,9 +2,9 @@ package brickless.simulation;
 
 import brickless.device.RobotDevices;
 import brickless.device.sensor.Surroundings;
-import brickless.kernel.Kernel;
-import brickless.kernel.KernelSettings;
-import brickless.kernel.ProgramEnd;
+import brickless.hardware.BrickHardware;
+import brickless.hardware.ProgramLog;
+import brickless.kernel.Processor;
 import brickless.loading.hints.HintFinder;
 import brickless.physics.Arena;
 import brickless.physics.RobotBody;
@@ -12,49 +12,58 @@ import brickless.trace.RobotSample;
 import brickless.world.RobotModel;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
-/** One robot of a run: its body, its devices, its brick, and the kernel its program runs on. */
+/** One robot of a run: its body, its devices and its brick, whatever processor its program runs on. */
 final class RobotSession {
     private final String name;
     private final RobotModel model;
     private final boolean fitted;
     private final RobotBody body;
-    private final Kernel kernel;
     private final ProgramConsole console;
     private final Panel panel;
     private final RobotDevices devices;
     private final RunTimeFitting fitting = new RunTimeFitting();
     private final PlugNotes plugs = new PlugNotes();
-    private final RobotRealm realm;
+    private final ProgramExit end;
     private boolean poweredOff;
 
+    /**
+     * Creates a robot.
+     *
+     * @param processor of its program
+     * @param open whether devices are plugged in that the program uses and the robot lacks
+     * @param end how to end the program
+     */
     RobotSession(SimulationSettings settings, Crew.Member member, Arena arena, Surroundings surroundings,
-            Recorder recorder, Stimulator stimulator, Optional<ProgramBody> programBody) {
+            Recorder recorder, Stimulator stimulator, Processor processor, boolean open, ProgramExit end) {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
         body = arena.robot(name).orElseThrow();
-        kernel = new Kernel(kernelSettings(settings, arena));
-        console = new ProgramConsole(name, recorder, settings.console(), kernel::nowNanos, kernel::exit);
-        panel = new Panel(name, kernel, recorder, settings.pressButtons(), stimulator::keyPressesToCome, this::endByKeys);
-        boolean open = fitted || programBody.isPresent();
-        devices = new RobotDevices(body, surroundings, kernel, open ? fitting : plugs, open ? fitting : plugs);
+        this.end = end;
+        console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
+        panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
+        devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
             fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
         }
-        realm = new RobotRealm(member.program(), kernel, new VirtualBrick("EV3", devices, panel, console), programBody);
     }
 
-    private KernelSettings kernelSettings(SimulationSettings settings, Arena arena) {
-        KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(arena.stepNanos())
-                .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
-        return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+    /** How to end the program of a robot. */
+    interface ProgramExit {
+        /** The program asks for its end; called by one of its threads. */
+        void exit(int status);
+
+        /** The keys DOWN and ENTER were held together: the brick's menu ends the program. Called within a physics step. */
+        void endByKeys();
+
+        /** Whether the program has ended, while the world goes on. */
+        boolean over();
     }
 
-    /** The keys DOWN and ENTER were held together: the brick's menu ends the program. */
-    private void endByKeys() {
-        realm.end(1);
+    /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
+    BrickHardware brick(ProgramLog log) {
+        return new VirtualBrick("EV3", devices, panel, log);
     }
 
     String name() {
@@ -73,10 +82,6 @@ final class RobotSession {
         return body;
     }
 
-    Kernel kernel() {
-        return kernel;
-    }
-
     ProgramConsole console() {
         return console;
     }
@@ -90,7 +95,7 @@ final class RobotSession {
     }
 
     void beforeStep(long nowNanos) {
-        if (!poweredOff && kernel.end() != null) {
+        if (!poweredOff && end.over()) {
             poweredOff = true;
             devices.powerOff();
         }
@@ -119,7 +124,7 @@ final class RobotSession {
     }
 
     /** Brings what was still under way into the record. */
-    void finish(ProgramEnd end) {
+    void finish() {
         panel.screen().settle();
         console.finish();
     }
@@ -137,10 +142,5 @@ final class RobotSession {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
         }
         return notes;
-    }
-
-    /** Lets go of the program's classes. */
-    void release() {
-        realm.release();
     }
 }

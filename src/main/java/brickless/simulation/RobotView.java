@@ -52,6 +52,11 @@ public final class RobotView {
         return session.panel().screen().asText();
     }
 
+    /** The same in the small font, as exceptions are shown. */
+    public String smallScreenText() {
+        return session.panel().screen().asSmallText();
+    }
+
     /** The screen as a PNG file. */
     public byte[] screenPng() {
         return session.panel().screen().asPng();

@@ -53,15 +53,15 @@ public final class HtmlReport {
     }
 
     private static void data(OutputStream out, ReportRecording recording, ReportScene scene, Optional<String> summary) throws IOException {
-        Deflater best = new Deflater(Deflater.BEST_COMPRESSION);
-        try (OutputStream packed = new DeflaterOutputStream(Base64.getEncoder().wrap(new Unclosed(out)), best, 1 << 16)) {
+        Deflater packer = new Deflater();
+        try (OutputStream packed = new DeflaterOutputStream(Base64.getEncoder().wrap(new Unclosed(out)), packer, 1 << 16)) {
             JsonText.object(packed, line -> {
                 line.raw("summary", summary.map(String::strip).orElse("null"));
                 line.object("scene", () -> scene.write(line));
                 recording.write(line);
             });
         } finally {
-            best.end();
+            packer.end();
         }
     }
 

@@ -26,16 +26,14 @@ public record ReportScene(World world, Map<String, RobotModel> robots) {
                 + millimetres(world.height()) + "]");
         List<Obstacle> movable = world.obstacles().stream().filter(Obstacle::movable).toList();
         line.objects("bodies", movable, (body, fields) -> fields.text("id", body.id()).raw("outlines", outlines(body.outlines())));
-        line.objects("zones", world.zones(), (zone, fields) -> fields.text("name", zone.name()));
         line.objects("robots", robots.entrySet(), (robot, fields) -> robot(robot.getKey(), robot.getValue(), fields));
     }
 
     private static void robot(String name, RobotModel model, JsonLine line) {
-        line.text("name", name).text("model", model.name()).text("svg", model.svg()).raw("outlines", outlines(model.chassis()));
+        line.text("name", name).text("svg", model.svg()).raw("outlines", outlines(model.chassis()));
         line.objects("turrets", model.turrets(), (turret, fields) -> fields.text("id", turret.id())
                 .text("port", String.valueOf((char) ('A' + turret.port()))).raw("pivot", point(turret.pivot()))
                 .number("ratio", (turret.inverted() ? -1 : 1) / turret.gearRatio(), 6));
-        line.objects("sensors", model.sensors(), (sensor, fields) -> fields.integer("port", sensor.port() + 1).text("kind", sensor.type().attribute()));
     }
 
     private static String outlines(List<List<Point2>> outlines) {

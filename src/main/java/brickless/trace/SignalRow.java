@@ -1,5 +1,6 @@
 package brickless.trace;
 
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,8 +29,10 @@ final class SignalRow {
             put(prefix + motor.port() + "_current_a", motor.amperes(), 3);
         }
         for (RobotSample.SensorSample sensor : robot.sensors()) {
+            String name = prefix + "S" + sensor.port() + "_" + sensor.kind();
+            values.put(name, "");
             for (int i = 0; i < sensor.values().length; i++) {
-                put(prefix + "S" + sensor.port() + "_" + sensor.kind() + (i > 0 ? "_" + i : ""), sensor.values()[i], 4);
+                put(name + (i > 0 ? "_" + i : ""), sensor.values()[i], 4);
             }
         }
         put(prefix + "battery_v", robot.batteryVolts(), 3);
@@ -43,7 +46,7 @@ final class SignalRow {
         return List.copyOf(values.keySet());
     }
 
-    String text(List<String> columns) {
+    String text(Collection<String> columns) {
         return columns.stream().map(column -> values.getOrDefault(column, "")).collect(Collectors.joining(","));
     }
 }

@@ -44,12 +44,10 @@ class Arbitration {
         giving = span && {...span, by: wanted ? wanted.behaviour : -1};
       }
     }
-    finish(wanted, end, this.wanted);
-    finish(active, end, this.active);
-    if (giving) {
-      giving.endless = true;
-      finish(giving, end, this.givings);
-    }
+    const open = (span, list) => span && list.push(Object.assign(span, {to: end, endless: true}));
+    open(wanted, this.wanted);
+    open(active, this.active);
+    open(giving, this.givings);
     this.givings.forEach((one) => {
       one.slow = one.to - one.from > SLOW_SECONDS;
     });
@@ -57,7 +55,7 @@ class Arbitration {
 
   static spanAt(spans, time) {
     const span = spans[lastNotAfter(spans, time + 1e-9, (one) => one.from)];
-    return span && time < span.to ? span : null;
+    return span && (time < span.to || span.endless) ? span : null;
   }
 
   /** Spans that hold at a time, each null if there is none. */

@@ -69,7 +69,8 @@ final class ExamplePrograms implements AutoCloseable {
         /** A numeric field of each line of a type; of samples, the first robot's. */
         double[] numbers(String type, String field) {
             Pattern number = Pattern.compile("\"" + field + "\":(-?[\\d.]+)");
-            return of(type).stream().map(number::matcher).filter(Matcher::find).mapToDouble(found -> Double.parseDouble(found.group(1))).toArray();
+            return of(type).stream().map(number::matcher).filter(Matcher::find)
+                    .mapToDouble(found -> Double.parseDouble(found.group(1))).toArray();
         }
     }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.util.Base64;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -58,7 +59,7 @@ class HtmlReportTest {
 
     @Test void theTitleIsEscaped() throws IOException {
         ReportRecording recording = new ReportRecording();
-        recording.header(new TraceHeader("a<b>&\"c", "w", java.util.List.of(), 1, -1, false, 1, 1));
+        recording.header(new TraceHeader("a<b>&\"c", "w", List.of(), 1, -1, false, 1, 1));
         assertThat(page(recording, SyntheticRun.scene())).contains("<title>a&lt;b&gt;&amp;&quot;c · Brickless</title>");
     }
 

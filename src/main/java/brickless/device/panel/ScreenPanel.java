@@ -101,6 +101,11 @@ public final class ScreenPanel implements ScreenSocket {
         return ScreenText.read(displayed());
     }
 
+    /** The visible picture as text in the small font. */
+    public String asSmallText() {
+        return ScreenText.readSmall(displayed());
+    }
+
     /** The visible picture as a PNG file. */
     public byte[] asPng() {
         return ScreenImage.png(displayed());

@@ -8,8 +8,6 @@ final class AnalogPins implements AnalogChannel {
     private static final double REFERENCE_VOLTS = 5;
     private static final double LARGEST_COUNT = 4095;
     private static final long FRESH_SAMPLE_NANOS = 3_000_000;
-    private static final long COLOUR_CALIBRATION_NANOS = 1_000_000_000;
-    private static final int COLOUR_FULL = 13;
 
     private final SensorPortDevice port;
 
@@ -47,7 +45,7 @@ final class AnalogPins implements AnalogChannel {
                 sensor.setType(type);
             }
         }
-        port.pause(type == COLOUR_FULL ? COLOUR_CALIBRATION_NANOS : FRESH_SAMPLE_NANOS);
+        port.pause(FRESH_SAMPLE_NANOS);
         return true;
     }
 

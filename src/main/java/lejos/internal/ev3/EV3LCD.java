@@ -65,7 +65,14 @@ public class EV3LCD implements CommonLCD {
 
     /** Reports the work of a drawing call, so that it takes time. */
     void spend(int pixels) {
+        announceDrawing();
         BrickAccess.present().ifPresent(brick -> brick.screen().drawn(Math.max(0, pixels)));
+    }
+
+    final void announceDrawing() {
+        if (layer != null) {
+            EV3LCDManager.getLocalLCDManager().aboutToDraw();
+        }
     }
 
     /** Makes the surface white. */

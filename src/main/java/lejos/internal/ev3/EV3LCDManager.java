@@ -14,6 +14,8 @@ public class EV3LCDManager {
     private static final EV3LCDManager LOCAL = new EV3LCDManager();
 
     private final List<LCDLayer> layers = new ArrayList<>();
+    /** What the next drawing has to do first, null for nothing. Written under this lock. */
+    private volatile Runnable beforeNextDrawing;
 
     /** The only one, made by {@link #getLocalLCDManager()}. */
     private EV3LCDManager() {}
@@ -48,6 +50,24 @@ public class EV3LCDManager {
     /** A copy of what the screen shows. */
     public byte[] getHWDisplay() {
         return BrickAccess.brick().screen().displayed();
+    }
+
+    /** Has something done before the program draws or prints the next time. */
+    synchronized void beforeNextDrawing(Runnable action) {
+        beforeNextDrawing = action;
+    }
+
+    /** The program is about to draw on a layer. */
+    void aboutToDraw() {
+        if (beforeNextDrawing != null) {
+            synchronized (this) {
+                Runnable action = beforeNextDrawing;
+                beforeNextDrawing = null;
+                if (action != null) {
+                    action.run();
+                }
+            }
+        }
     }
 
     /** The layer of that name, null if there is none. */

@@ -45,25 +45,31 @@ final class ExceptionScreen {
     }
 
     /**
-     * Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there it is dismissed
-     * at once.
+     * Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there nothing waits: it stays until the
+     * program draws or prints again, so that it is what a program that dies leaves on the screen.
      */
     void show() {
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();
         synchronized (ExceptionScreen.class) {
+            layers.aboutToDraw();
             EV3TextLCD display = new EV3TextLCD(LAYER, Font.getSmallFont());
             List<EV3LCDManager.LCDLayer> others = new ArrayList<>(List.of(layers.getLayers()));
             others.removeIf(layer -> layer.getName().equals(LAYER));
             others.forEach(layer -> layer.setVisible(false));
-            try {
-                draw(display, 0);
-                if (BrickAccess.brick().keys().attended()) {
-                    scrollUntilEscape(display);
-                }
-            } finally {
+            Runnable dismissal = () -> {
                 others.forEach(layer -> layer.setVisible(true));
                 display.layer.close();
-                display.refresh();
+            };
+            draw(display, 0);
+            if (BrickAccess.brick().keys().attended()) {
+                try {
+                    scrollUntilEscape(display);
+                } finally {
+                    dismissal.run();
+                    display.refresh();
+                }
+            } else {
+                layers.beforeNextDrawing(dismissal);
             }
         }
     }

@@ -8,7 +8,7 @@ final class PrintedText extends EV3TextLCD {
 
     @Override
     void spend(int pixels) {
-        // PrintedBytes reports the work of a whole write.
+        announceDrawing(); // PrintedBytes reports the work of a whole write
     }
 
     @Override

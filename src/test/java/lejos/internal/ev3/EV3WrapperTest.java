@@ -76,13 +76,27 @@ class EV3WrapperTest {
     }
 
     @Test
-    void uncaughtExceptionIsReportedBuzzedShownAndDismissedAtOnceWhenNobodyIsThere() {
+    void uncaughtExceptionIsReportedBuzzedAndShownUntilTheNextDrawingWhenNobodyIsThere() {
         IllegalStateException failure = new IllegalStateException("broken");
         LCD.drawString("running", 0, 0);
         new EV3Wrapper().uncaughtException(Thread.currentThread(), failure);
         assertThat(bench.log.uncaught()).containsExactly(failure);
         assertThat(bench.events()).contains("tone 100 Hz 500 ms 80 %");
         assertThat(bench.millis()).isBetween(500.0, 600.0);
+        assertThat(bench.screen.asSmallText()).startsWith("Uncaught exception");
+        LCD.drawString("going on", 0, 1);
+        LCD.refresh();
+        assertThat(bench.screen.asText()).isEqualTo("running\ngoing on");
+    }
+
+    @Test
+    void aSecondExceptionReplacesTheFirstOnTheScreen() {
+        LCD.drawString("running", 0, 0);
+        new EV3Wrapper().uncaughtException(Thread.currentThread(), new IllegalStateException("first"));
+        new EV3Wrapper().uncaughtException(Thread.currentThread(), new IllegalStateException("second"));
+        assertThat(bench.screen.asSmallText()).contains("second").doesNotContain("first", "running");
+        LCD.clear(3);
+        LCD.refresh();
         assertThat(bench.screen.asText()).isEqualTo("running");
     }
 

@@ -1,0 +1,49 @@
+package brickless.simulation;
+
+import brickless.kernel.Kernel;
+import brickless.kernel.KernelSettings;
+import java.util.Optional;
+
+/** One program of a run in virtual time: its kernel, its classes, and the robot it drives. */
+final class ProgramSession implements RobotSession.ProgramExit {
+    private final Kernel kernel;
+    private final RobotSession robot;
+    private final RobotRealm realm;
+
+    ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, Optional<ProgramBody> body) {
+        kernel = new Kernel(kernelSettings(settings, member.name(), stage.stepNanos()));
+        robot = stage.enter(member, kernel, member.fitted() || body.isPresent(), this);
+        realm = new RobotRealm(member.program(), kernel, robot.brick(robot.console()), body);
+    }
+
+    private static KernelSettings kernelSettings(SimulationSettings settings, String name, long stepNanos) {
+        KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(stepNanos)
+                .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
+        return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+    }
+
+    Kernel kernel() {
+        return kernel;
+    }
+
+    RobotSession robot() {
+        return robot;
+    }
+
+    @Override public void exit(int status) {
+        kernel.exit(status);
+    }
+
+    @Override public void endByKeys() {
+        realm.end(1);
+    }
+
+    @Override public boolean over() {
+        return kernel.end() != null;
+    }
+
+    /** Lets go of the program's classes. */
+    void release() {
+        realm.release();
+    }
+}
