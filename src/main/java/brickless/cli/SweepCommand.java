@@ -27,8 +27,8 @@ final class SweepCommand implements Callable<Integer> {
     @Mixin
     private RunOptions options;
 
-    @Option(names = "--worlds", paramLabel = "GLOB", split = ",",
-            description = "Worlds: files, patterns such as 'sim/worlds/*.svg', or bundled names (default: that of --world).")
+    @Option(names = "--worlds", paramLabel = "GLOB",
+            description = "Worlds: a file, a pattern such as 'sim/worlds/*.svg', or a bundled name; can be given again (default: that of --world).")
     private List<String> worlds = List.of();
 
     @Option(names = "--seeds", paramLabel = "RANGE", description = "Seeds: 1..100, or 3,7,11..15 (default: that of --seed).")

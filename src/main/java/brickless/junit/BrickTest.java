@@ -44,13 +44,15 @@ final class BrickTest {
 
     private Runnable call(ClassLoader robot, Consumer<Throwable> done) throws ReflectiveOperationException {
         String[] parameters = Arrays.stream(method.getParameterTypes()).map(Class::getName).toArray(String[]::new);
-        Constructor<?> constructor = robot.loadClass(CALL).getConstructor(String.class, String.class, String[].class, Object[].class, Consumer.class);
+        Constructor<?> constructor = robot.loadClass(CALL).getConstructor(String.class, String.class, String[].class,
+                Object[].class, Consumer.class);
         return (Runnable) constructor.newInstance(type.getName(), method.getName(), parameters, arguments, done);
     }
 
     private AssertionFailedError unfinished(Outcome outcome) {
         String how = switch (outcome.kind()) {
-            case "time-limit" -> "did not end within " + Seconds.text(simulation.settings().limit()) + " simulated seconds (@Simulated(seconds = …) allows more)";
+            case "time-limit" -> "did not end within " + Seconds.text(simulation.settings().limit())
+                    + " simulated seconds (@Simulated(seconds = …) allows more)";
             case "exited" -> "ended the program with status " + outcome.exitStatus().orElse(0) + " before it returned";
             default -> "ended in a " + outcome.kind();
         };

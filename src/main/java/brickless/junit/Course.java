@@ -56,8 +56,10 @@ final class Course<T> {
 
     AssertionFailedError failure(String kind, String condition) {
         StringBuilder text = new StringBuilder("\nExpecting");
-        text.append(name.isEmpty() ? " the run" : " " + name).append("\n  ").append(kind).append(": ").append(condition);
-        time.ifPresent(limit -> text.append("\n  within ").append(Seconds.text(limit)).append(" simulated seconds from ")
+        text.append(name.isEmpty() ? " the run" : " " + name).append("\n  ").append(kind).append(": ")
+                .append(condition);
+        time.ifPresent(limit -> text.append("\n  within ").append(Seconds.text(limit))
+                .append(" simulated seconds from ")
                 .append(Seconds.text(begin)).append(" s on"));
         text.append("\nbut at ").append(Seconds.text(last.time())).append(" simulated seconds ");
         text.append(name.isEmpty() ? "it " + (kind.equals("never") ? "did" : "did not") : "it was\n  " + last.value());

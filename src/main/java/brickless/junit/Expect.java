@@ -10,13 +10,15 @@ import java.util.function.Predicate;
  * Expectations about how a run goes on. Each lets the simulated time pass until it is decided.
  *
  * <pre>
- * Expect.that(run).within(Duration.ofSeconds(30)).eventually("enters the goal", r -&gt; r.zonesEntered().contains("goal"));
- * Expect.that(run).within(Duration.ofSeconds(10)).value("x in metres", r -&gt; r.robot().xMetres()).always("stay below 1.5", x -&gt; x &lt; 1.5);
+ * Expect.that(run).within(Duration.ofSeconds(30))
+ *         .eventually("enters the goal", r -&gt; r.zonesEntered().contains("goal"));
+ * Expect.that(run).within(Duration.ofSeconds(10)).value("x in metres", r -&gt; r.robot().xMetres())
+ *         .always("stay below 1.5", x -&gt; x &lt; 1.5);
  * </pre>
  *
- * <p>Conditions are looked at now and then every 10 ms of simulated time. Without {@link #within} they have until the run's time limit. A run
- * that ends early decides too: nothing changes after the end. Failures are {@link org.opentest4j.AssertionFailedError}s that name the simulated
- * time. Used by the thread that uses the run.
+ * <p>Conditions are looked at now and then every 10 ms of simulated time. Without {@link #within} they have until the
+ * run's time limit. A run that ends early decides too: nothing changes after the end. Failures are
+ * {@link org.opentest4j.AssertionFailedError}s that name the simulated time. Used by the thread that uses the run.
  */
 public final class Expect {
     private final Run run;

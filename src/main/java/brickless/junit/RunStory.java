@@ -18,13 +18,18 @@ final class RunStory {
             return Optional.empty();
         }
         RunReport report = run.report();
-        String outcome = open ? "still running" : report.outcome().kind() + report.outcome().exitStatus().map(s -> " with status " + s).orElse("");
-        StringBuilder story = new StringBuilder("simulation of " + report.main() + " in " + report.world() + " with " + report.robot());
-        story.append("\n  outcome  ").append(outcome).append(" after ").append(Seconds.text(run.time())).append(" simulated seconds, seed ")
+        String outcome = open ? "still running" : report.outcome().kind() + report.outcome().exitStatus()
+                .map(s -> " with status " + s).orElse("");
+        StringBuilder story = new StringBuilder("simulation of " + report.main() + " in " + report.world() + " with "
+                + report.robot());
+        story.append("\n  outcome  ").append(outcome).append(" after ").append(Seconds.text(run.time()))
+                .append(" simulated seconds, seed ")
                 .append(report.seed());
-        report.outcome().error().ifPresent(error -> story.append("\n  error    ").append(error.replace("\n", "\n           ")));
+        report.outcome().error().ifPresent(error -> story.append("\n  error    ")
+                .append(error.replace("\n", "\n           ")));
         if (!report.files().isEmpty()) {
-            story.append("\n  trace    ").append(report.files()).append("\n  replay   brickless replay ").append(quoted(report.files()));
+            story.append("\n  trace    ").append(report.files()).append("\n  replay   brickless replay ")
+                    .append(quoted(report.files()));
         }
         return Optional.of(story.toString());
     }

@@ -22,7 +22,8 @@ final class SeedsProvider implements TestTemplateInvocationContextProvider {
         return seeds(context).isPresent();
     }
 
-    @Override public Stream<TestTemplateInvocationContext> provideTestTemplateInvocationContexts(ExtensionContext context) {
+    @Override public Stream<TestTemplateInvocationContext> provideTestTemplateInvocationContexts(
+            ExtensionContext context) {
         return parse(seeds(context).orElseThrow().value()).mapToObj(SeedInvocation::new);
     }
 
@@ -35,12 +36,14 @@ final class SeedsProvider implements TestTemplateInvocationContextProvider {
         return Stream.of(text.split(",", -1)).flatMapToLong(part -> {
             Matcher range = RANGE.matcher(part.strip());
             if (!range.matches()) {
-                throw new ExtensionConfigurationException("@Seeds: '" + part.strip() + "' is no seed; allowed: 7, 1..20, and lists of them");
+                throw new ExtensionConfigurationException("@Seeds: '" + part.strip()
+                        + "' is no seed; allowed: 7, 1..20, and lists of them");
             }
             long first = Long.parseLong(range.group(1));
             long last = range.group(2) == null ? first : Long.parseLong(range.group(2));
             if (last < first) {
-                throw new ExtensionConfigurationException("@Seeds: '" + part.strip() + "' is empty; the smaller seed comes first");
+                throw new ExtensionConfigurationException("@Seeds: '" + part.strip()
+                        + "' is empty; the smaller seed comes first");
             }
             return LongStream.rangeClosed(first, last);
         });

@@ -11,9 +11,10 @@ import org.junit.jupiter.api.extension.ExtendWith;
 /**
  * Gives the tests of a class, or one test, a simulated world and robot.
  *
- * <p>Test methods may then have a parameter of type {@link brickless.simulation.Simulation}, or, if {@link #program} is given, of type
- * {@link brickless.simulation.Run}: the program, standing still before its first instruction. What an annotation on a method leaves out is
- * taken from the one on the class. Every test has its own simulation; runs that a test leaves open are closed after it.
+ * <p>Test methods may then have a parameter of type {@link brickless.simulation.Simulation}, or, if {@link #program} is
+ * given, of type {@link brickless.simulation.Run}: the program, standing still before its first instruction. What an
+ * annotation on a method leaves out is taken from the one on the class. Every test has its own simulation; runs that a
+ * test leaves open are closed after it.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)

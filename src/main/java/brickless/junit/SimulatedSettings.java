@@ -36,7 +36,8 @@ final class SimulatedSettings {
         Optional<Simulated> onMethod = AnnotationSupport.findAnnotation(context.getTestMethod(), Simulated.class);
         Optional<Simulated> onClass = AnnotationSupport.findAnnotation(context.getRequiredTestClass(), Simulated.class,
                 context.getEnclosingTestClasses());
-        return new SimulatedSettings(context.getRequiredTestClass().getSimpleName(), Stream.of(onMethod, onClass).flatMap(Optional::stream).toList());
+        return new SimulatedSettings(context.getRequiredTestClass().getSimpleName(), Stream.of(onMethod, onClass)
+                .flatMap(Optional::stream).toList());
     }
 
     private <T> T first(Function<Simulated, T> value, Predicate<T> given, T otherwise) {
@@ -56,11 +57,13 @@ final class SimulatedSettings {
     SimulationSettings settings(Path out, OptionalLong seed) {
         String world = text(Simulated::world, "pen");
         try {
-            SimulationSettings.Builder builder = SimulationSettings.builder(world(world)).worldFile(isDrawing(world) ? "" : world)
+            SimulationSettings.Builder builder = SimulationSettings.builder(world(world)).worldFile(isDrawing(world)
+                    ? "" : world)
                     .seed(seed.orElse(first(Simulated::seed, value -> value != Simulated.NO_SEED, 1L)))
                     .limit(Duration.ofSeconds(first(Simulated::seconds, value -> value != 0, DEFAULT_SECONDS)))
                     .ideal(annotations.stream().anyMatch(Simulated::ideal)).pressButtons(pressButtons())
-                    .stimuli(StimuliReader.readText("stimuli of " + test, String.join("\n", stimuli()))).out(Optional.of(out));
+                    .stimuli(StimuliReader.readText("stimuli of " + test, String.join("\n", stimuli())))
+                    .out(Optional.of(out));
             String robot = text(Simulated::robot, "auto");
             if (!robot.equals("auto")) {
                 builder.robot(robot(robot));
@@ -74,7 +77,8 @@ final class SimulatedSettings {
     private boolean pressButtons() {
         String buttons = text(Simulated::buttons, "auto");
         if (!List.of("auto", "none").contains(buttons)) {
-            throw new ExtensionConfigurationException("@Simulated: '" + buttons + "' is no button policy; allowed: auto, none");
+            throw new ExtensionConfigurationException("@Simulated: '" + buttons
+                    + "' is no button policy; allowed: auto, none");
         }
         return buttons.equals("auto");
     }
@@ -84,11 +88,13 @@ final class SimulatedSettings {
     }
 
     private World world(String text) throws DescriptionException {
-        return isDrawing(text) ? SvgWorldReader.readText("world of " + test, text.strip()) : new Library(Path.of("")).world(text);
+        return isDrawing(text) ? SvgWorldReader.readText("world of " + test, text.strip()) : new Library(Path.of(""))
+                .world(text);
     }
 
     private RobotModel robot(String text) throws DescriptionException {
-        return isDrawing(text) ? SvgRobotReader.readText("robot of " + test, text.strip()) : new Library(Path.of("")).robot(text);
+        return isDrawing(text) ? SvgRobotReader.readText("robot of " + test, text.strip()) : new Library(Path.of(""))
+                .robot(text);
     }
 
     private static boolean isDrawing(String text) {

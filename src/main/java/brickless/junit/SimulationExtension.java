@@ -14,8 +14,9 @@ import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 
 /**
- * Resolves parameters of type {@link Simulation} and {@link Run}, runs {@link OnTheBrick} tests in the simulation, and tells about the runs of
- * a test that failed. Has no state: what belongs to a test is in its {@link ExtensionContext}. Comes with the annotations of this package.
+ * Resolves parameters of type {@link Simulation} and {@link Run}, runs {@link OnTheBrick} tests in the simulation, and
+ * tells about the runs of a test that failed. Has no state: what belongs to a test is in its {@link ExtensionContext}.
+ * Comes with the annotations of this package.
  */
 public final class SimulationExtension implements ParameterResolver, InvocationInterceptor, AfterEachCallback {
     /** Creates the extension; JUnit does. */
@@ -28,7 +29,8 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
 
     @Override public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
         if (context.getTestMethod().isEmpty()) {
-            throw new ParameterResolutionException("every test has its own simulation: constructors and @BeforeAll methods cannot have one");
+            throw new ParameterResolutionException(
+                    "every test has its own simulation: constructors and @BeforeAll methods cannot have one");
         }
         if (onTheBrick(context)) {
             throw new ParameterResolutionException("a test @OnTheBrick is inside the simulation and cannot hold it");
@@ -37,17 +39,20 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
         return parameter.getParameter().getType() == Run.class ? simulation.run() : simulation.simulation();
     }
 
-    @Override public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call, ExtensionContext context)
+    @Override public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+            ExtensionContext context)
             throws Throwable {
         test(invocation, call, context);
     }
 
-    @Override public void interceptTestTemplateMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+    @Override public void interceptTestTemplateMethod(Invocation<Void> invocation,
+            ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         test(invocation, call, context);
     }
 
-    private static void test(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call, ExtensionContext context) throws Throwable {
+    private static void test(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+            ExtensionContext context) throws Throwable {
         if (onTheBrick(context)) {
             invocation.skip();
             new BrickTest(TestSimulation.of(context).simulation(), call).run();
@@ -56,12 +61,14 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
         }
     }
 
-    @Override public void interceptBeforeEachMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+    @Override public void interceptBeforeEachMethod(Invocation<Void> invocation,
+            ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         outsideOnly(invocation, context);
     }
 
-    @Override public void interceptAfterEachMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+    @Override public void interceptAfterEachMethod(Invocation<Void> invocation,
+            ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         outsideOnly(invocation, context);
     }
@@ -77,7 +84,8 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
     private static boolean onTheBrick(ExtensionContext context) {
         Optional<OnTheBrick> annotation = AnnotationSupport.findAnnotation(context.getTestMethod(), OnTheBrick.class);
         return annotation.isPresent()
-                || AnnotationSupport.findAnnotation(context.getRequiredTestClass(), OnTheBrick.class, context.getEnclosingTestClasses()).isPresent();
+                || AnnotationSupport.findAnnotation(context.getRequiredTestClass(), OnTheBrick.class,
+                context.getEnclosingTestClasses()).isPresent();
     }
 
     @Override public void afterEach(ExtensionContext context) {

@@ -22,8 +22,10 @@ final class TestFolder {
         Class<?> type = context.getRequiredTestClass();
         Method method = context.getRequiredTestMethod();
         String name = type.getName().replace('$', '.') + "." + method.getName();
-        if (Arrays.stream(type.getDeclaredMethods()).filter(other -> other.getName().equals(method.getName())).count() > 1) {
-            name += Arrays.stream(method.getParameterTypes()).map(Class::getSimpleName).collect(Collectors.joining("-", "-", ""));
+        if (Arrays.stream(type.getDeclaredMethods()).filter(other -> other.getName().equals(method.getName()))
+                .count() > 1) {
+            name += Arrays.stream(method.getParameterTypes()).map(Class::getSimpleName)
+                    .collect(Collectors.joining("-", "-", ""));
         }
         Matcher invocation = INVOCATION.matcher(context.getUniqueId());
         if (invocation.find()) {

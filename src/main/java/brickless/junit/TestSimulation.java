@@ -11,7 +11,8 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 
 /** The simulation of one test, made when it is first asked for, and the runs that were started from it. Thread-safe. */
 final class TestSimulation {
-    private static final ExtensionContext.Namespace NAMESPACE = ExtensionContext.Namespace.create(SimulationExtension.class);
+    private static final ExtensionContext.Namespace NAMESPACE =
+            ExtensionContext.Namespace.create(SimulationExtension.class);
 
     private final ExtensionContext context;
     private final List<Run> runs = new ArrayList<>();
@@ -25,7 +26,8 @@ final class TestSimulation {
 
     /** The simulation of the test that a context belongs to. */
     static TestSimulation of(ExtensionContext context) {
-        return context.getStore(NAMESPACE).getOrComputeIfAbsent(context.getUniqueId(), id -> new TestSimulation(context), TestSimulation.class);
+        return context.getStore(NAMESPACE).getOrComputeIfAbsent(context.getUniqueId(),
+                id -> new TestSimulation(context), TestSimulation.class);
     }
 
     /** Sets the seed, before the simulation is made. */
@@ -38,7 +40,8 @@ final class TestSimulation {
 
     synchronized Simulation simulation() {
         if (simulation == null) {
-            simulation = new Simulation(SimulatedSettings.of(context).settings(TestFolder.of(context), seed), this::started);
+            simulation = new Simulation(SimulatedSettings.of(context).settings(TestFolder.of(context), seed),
+                    this::started);
         }
         return simulation;
     }
@@ -46,8 +49,10 @@ final class TestSimulation {
     /** The run of the program that {@link Simulated#program} names, started when it is first asked for. */
     synchronized Run run() {
         if (run == null) {
-            Class<?> program = SimulatedSettings.of(context).program().orElseThrow(() -> new ExtensionConfigurationException(
-                    "a parameter of type Run needs @Simulated(program = ….class); or take a Simulation and start the program yourself"));
+            Class<?> program = SimulatedSettings.of(context).program()
+                    .orElseThrow(() -> new ExtensionConfigurationException(
+                    "a parameter of type Run needs @Simulated(program = ….class); or take a Simulation and start the "
+                    + "program yourself"));
             run = simulation().start(program);
         }
         return run;
@@ -71,7 +76,8 @@ final class TestSimulation {
     }
 
     private void tell(String story, Throwable failure) {
-        System.err.println(context.getRequiredTestClass().getSimpleName() + "." + context.getRequiredTestMethod().getName() + " failed: " + story);
+        System.err.println(context.getRequiredTestClass().getSimpleName() + "." + context.getRequiredTestMethod()
+                .getName() + " failed: " + story);
         failure.addSuppressed(new SimulationStory(story));
     }
 }

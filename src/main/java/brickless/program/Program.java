@@ -17,7 +17,8 @@ import java.util.stream.Stream;
  * @param classPath directories and jars with its classes, in order; empty: they are on the application's own class path
  * @param temporary directory of classes compiled for this run, removed by {@link #close()}
  */
-public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary) implements AutoCloseable {
+public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary)
+        implements AutoCloseable {
     public Program {
         classPath = List.copyOf(classPath);
     }

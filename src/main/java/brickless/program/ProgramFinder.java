@@ -13,8 +13,8 @@ import java.util.jar.Manifest;
 import java.util.stream.Stream;
 
 /**
- * Turns what a user typed into a {@link Program}: a class name, a {@code .java} or {@code .class} file, a directory of sources or classes,
- * or a jar.
+ * Turns what a user typed into a {@link Program}: a class name, a {@code .java} or {@code .class} file, a directory of
+ * sources or classes, or a jar.
  */
 public final class ProgramFinder {
     private final List<Path> classPath;
@@ -63,7 +63,8 @@ public final class ProgramFinder {
             if (name.endsWith(".class")) {
                 return fromClassFile(path, name);
             }
-            throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a directory or a .jar");
+            throw new ProgramException(name + ": not a program: allowed are a class name, a .java or .class file, a "
+                    + "directory or a .jar");
         } catch (IOException e) {
             throw new ProgramException(name + ": cannot be read: " + e.getMessage());
         }
@@ -85,7 +86,8 @@ public final class ProgramFinder {
     }
 
     private Program byClassName(String name) throws ProgramException, IOException {
-        boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar") || name.endsWith(".class");
+        boolean looksLikeFile = name.contains("/") || name.endsWith(".java") || name.endsWith(".jar")
+                || name.endsWith(".class");
         if (!looksLikeFile) {
             for (Path entry : resolvedClassPath()) {
                 if (MainClasses.contains(entry, name)) {
@@ -96,7 +98,8 @@ public final class ProgramFinder {
                 return onClassPath(wantedMain.orElse(name), name);
             }
         }
-        throw new ProgramException(name + ": no such program: neither a file or directory in " + directory + " nor a class on the class path");
+        throw new ProgramException(name + ": no such program: neither a file or directory in " + directory
+                + " nor a class on the class path");
     }
 
     private static String fileOf(String className) {
@@ -160,13 +163,15 @@ public final class ProgramFinder {
     }
 
     private Program fromClassFile(Path path, String name) throws ProgramException, IOException {
-        String className = MainClasses.nameOf(Files.readAllBytes(path)).orElseThrow(() -> new ProgramException(name + ": not a class file"));
+        String className = MainClasses.nameOf(Files.readAllBytes(path)).orElseThrow(() -> new ProgramException(name
+                + ": not a class file"));
         Path root = path.toAbsolutePath().getParent();
         for (int dots = className.length() - className.replace(".", "").length(); dots > 0 && root != null; dots--) {
             root = root.getParent();
         }
         if (root == null || !Files.exists(root.resolve(className.replace('.', '/') + ".class"))) {
-            throw new ProgramException(name + ": class " + className + " does not lie in the directories of its package");
+            throw new ProgramException(name + ": class " + className
+                    + " does not lie in the directories of its package");
         }
         return checked(wantedMain.orElse(className), List.of(root), name);
     }
@@ -183,7 +188,8 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
         }
         if (mains.size() > 1) {
-            throw new ProgramException(name + ": several main classes, choose one with --main: " + String.join(", ", mains));
+            throw new ProgramException(name + ": several main classes, choose one with --main: "
+                    + String.join(", ", mains));
         }
         return checked(mains.get(0), List.of(classes), name);
     }
@@ -217,7 +223,8 @@ public final class ProgramFinder {
 
     private static List<Path> filesEndingIn(Path directory, String ending) throws IOException {
         try (Stream<Path> files = Files.walk(directory)) {
-            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted()
+                    .toList();
         }
     }
 }

@@ -1,8 +1,9 @@
 package brickless.simulation;
 
 /**
- * Which behaviour an arbitrator wants or runs, as it is worth writing down. Many programs' actions return at once and are started again
- * hundreds of times a second; the moments in between, when none is active, are left out. Used by one thread at a time.
+ * Which behaviour an arbitrator wants or runs, as it is worth writing down. Many programs' actions return at once and
+ * are started again hundreds of times a second; the moments in between, when none is active, are left out. Used by one
+ * thread at a time.
  */
 final class BehaviourChanges {
     /** None for so long is none. */
@@ -40,7 +41,9 @@ final class BehaviourChanges {
         }
     }
 
-    /** The present behaviour was told to end: when it does is written down, however short the time until the next one. */
+    /**
+     * The present behaviour was told to end: when it does is written down, however short the time until the next one.
+     */
     void awaitEnd() {
         endMatters = current != NONE;
     }

@@ -16,8 +16,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Who takes part in a run: every robot of the world with its model, start pose and program. */
-final class Crew {
+/**
+ * Who takes part in a run: every robot of the world with its model, start pose and program. Programs that the world names are found, and
+ * compiled where needed, for this run; {@link #close} removes what was compiled.
+ */
+final class Crew implements AutoCloseable {
     /**
      * One robot.
      *
@@ -31,6 +34,7 @@ final class Crew {
 
     private final SimulationSettings settings;
     private final Program program;
+    private final List<Program> found = new ArrayList<>();
 
     Crew(SimulationSettings settings, Program program) {
         this.settings = settings;
@@ -71,7 +75,14 @@ final class Crew {
 
     private Program find(String name) throws ProgramException {
         Path folder = Optional.ofNullable(Path.of(settings.worldFile()).toAbsolutePath().getParent()).orElse(Path.of("").toAbsolutePath());
-        return new ProgramFinder(folder, List.of(), Optional.empty()).find(name);
+        Program named = new ProgramFinder(folder, List.of(), Optional.empty()).find(name);
+        found.add(named);
+        return named;
+    }
+
+    @Override public void close() {
+        found.forEach(Program::close);
+        found.clear();
     }
 
     private static HardwareHints hints(Program program) {

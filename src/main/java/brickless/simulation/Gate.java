@@ -11,7 +11,8 @@ import java.util.Queue;
  */
 final class Gate {
     private final Queue<Runnable> actions = new ArrayDeque<>();
-    private long openUntilNanos;
+    /** Written with the monitor held; the run also looks at it without. */
+    private volatile long openUntilNanos;
     private boolean held;
     private boolean ended;
     private Throwable failure;
@@ -50,26 +51,29 @@ final class Gate {
         notifyAll();
     }
 
-    /** Driver: lets the run go on until a time and waits until it gets there or ends. */
-    synchronized void advanceTo(long timeNanos) {
+    /**
+     * Driver: lets the run go on until a time and waits until it gets there or ends.
+     *
+     * @return false if the driver was interrupted: the run is then held as soon as possible
+     */
+    synchronized boolean advanceTo(long timeNanos) {
         openUntilNanos = Math.max(openUntilNanos, timeNanos);
         held = false;
         notifyAll();
-        awaitHeldOrEnded();
-    }
-
-    private void awaitHeldOrEnded() {
         boolean interrupted = false;
         while (!held && !ended) {
             try {
                 wait();
             } catch (InterruptedException e) {
                 interrupted = true;
+                openUntilNanos = 0;
             }
         }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
+        throwFailure();
+        return !interrupted;
+    }
+
+    private void throwFailure() {
         if (failure instanceof RuntimeException exception) {
             throw exception;
         }

@@ -13,7 +13,10 @@ import java.util.Optional;
 import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 
-/** What one robot's program prints, fails with and decides, on its way into the record of the run. Used by the running fibre only. */
+/**
+ * What one robot's program prints, fails with and decides, on its way into the record of the run. Used by the running
+ * fibre only.
+ */
 final class ProgramConsole implements ProgramLog {
     private record Arbitration(List<String> names, BehaviourChanges wanted, BehaviourChanges active) {}
 
@@ -89,7 +92,8 @@ final class ProgramConsole implements ProgramLog {
 
     /** Class name of the behaviour that the (last) arbitrator runs now. */
     Optional<String> activeBehaviour() {
-        return arbitrators.stream().filter(a -> a.active().current() >= 0).map(a -> a.names().get(a.active().current())).reduce((a, b) -> b);
+        return arbitrators.stream().filter(a -> a.active().current() >= 0)
+                .map(a -> a.names().get(a.active().current())).reduce((a, b) -> b);
     }
 
     @Override public int arbitratorCreated(String[] behaviours) {
@@ -100,7 +104,8 @@ final class ProgramConsole implements ProgramLog {
     }
 
     private BehaviourChanges changes(String kind, int arbitrator) {
-        return new BehaviourChanges((time, behaviour) -> recorder.event(time, robot, new TraceEvent.BehaviourEvent(kind, arbitrator, behaviour)));
+        return new BehaviourChanges((time, behaviour) -> recorder.event(time, robot,
+                new TraceEvent.BehaviourEvent(kind, arbitrator, behaviour)));
     }
 
     @Override public void behaviourWanted(int arbitrator, int behaviour) {

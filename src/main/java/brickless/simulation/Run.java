@@ -8,7 +8,8 @@ import java.util.function.Predicate;
 /**
  * A run in progress: advance it, look at the robots, press keys, and read the outcome.
  *
- * <p>Used by one thread. Between two calls the run stands still at a physics step.
+ * <p>Used by one thread. Between two calls the run stands still at a physics step. If the thread is interrupted while it waits for the run,
+ * the run ends and the call throws {@link java.util.concurrent.CancellationException}.
  */
 public final class Run implements AutoCloseable {
     private final RunEngine engine;

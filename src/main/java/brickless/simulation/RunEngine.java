@@ -5,6 +5,7 @@ import brickless.kernel.ProgramEnd;
 import brickless.program.Program;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 
 /**
  * One run in virtual time: programs on kernels drive a {@link Stage}, held at a {@link Gate} by whoever drives the run.
@@ -13,6 +14,7 @@ import java.util.Optional;
  * touches it only while the {@link Gate} holds the run, or when it is over.
  */
 final class RunEngine {
+    private final Crew crew;
     private final Stage stage;
     private final List<ProgramSession> programs;
     private final Gate gate = new Gate();
@@ -20,10 +22,19 @@ final class RunEngine {
     private volatile RunReport report;
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body) {
-        List<Crew.Member> crew = new Crew(settings, program).members();
-        stage = new Stage(settings, program, crew);
-        programs = crew.stream().map(member -> new ProgramSession(settings, member, stage, body)).toList();
-        stage.begin();
+        crew = new Crew(settings, program);
+        boolean ready = false;
+        try {
+            List<Crew.Member> members = crew.members();
+            stage = new Stage(settings, program, members);
+            programs = members.stream().map(member -> new ProgramSession(settings, member, stage, body)).toList();
+            stage.begin();
+            ready = true;
+        } finally {
+            if (!ready) {
+                crew.close();
+            }
+        }
     }
 
     long nowNanos() {
@@ -51,14 +62,21 @@ final class RunEngine {
         if (!started) {
             started = true;
             stage.discard();
-            programs.forEach(ProgramSession::release);
+            release();
             gate.end(null);
         } else if (!gate.ended()) {
             gate.leave(() -> programs.forEach(program -> program.kernel().timeUp()));
-            gate.advanceTo(Long.MAX_VALUE);
+            boolean interrupted = false;
+            while (!gate.ended()) {
+                interrupted |= !gate.advanceTo(Long.MAX_VALUE);
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
     }
 
+    /** Throws a {@link CancellationException} if the calling thread is interrupted; the run is then ended and the interrupt flag kept. */
     void advanceTo(long timeNanos) {
         if (!started) {
             started = true;
@@ -66,7 +84,11 @@ final class RunEngine {
             thread.setDaemon(true);
             thread.start();
         }
-        gate.advanceTo(timeNanos);
+        if (!gate.advanceTo(timeNanos)) {
+            stop();
+            Thread.currentThread().interrupt();
+            throw new CancellationException("the run was interrupted");
+        }
     }
 
     private void run() {
@@ -76,9 +98,14 @@ final class RunEngine {
         } catch (RuntimeException | Error e) {
             problem = e;
         } finally {
-            programs.forEach(ProgramSession::release);
+            release();
             gate.end(problem);
         }
+    }
+
+    private void release() {
+        programs.forEach(ProgramSession::release);
+        crew.close();
     }
 
     private void step(long timeNanos) {

@@ -12,7 +12,10 @@ import java.util.List;
 
 /** Plugs in what a program uses and its robot lacks: motors seen in its bytecode, and what it opens at run time. */
 final class RunTimeFitting implements MotorFitting, SensorFitting {
-    /** The class of {@code Motor.A} to {@code Motor.D}: using one of them opens all four ports, so opening tells nothing about the others. */
+    /**
+     * The class of {@code Motor.A} to {@code Motor.D}: using one of them opens all four ports, so opening tells nothing
+     * about the others.
+     */
     static final String READY_MADE = "NXTRegulatedMotor";
 
     private final List<String> plugged = new ArrayList<>();
@@ -36,7 +39,8 @@ final class RunTimeFitting implements MotorFitting, SensorFitting {
     }
 
     @Override public void expected(SensorPortDevice device, String lejosClass) {
-        boolean fits = RobotFitter.sensorOf(lejosClass).map(type -> device.mount() != null && device.mount().type() == type).orElse(true);
+        boolean fits = RobotFitter.sensorOf(lejosClass).map(type -> device.mount() != null && device.mount()
+                .type() == type).orElse(true);
         if (!fits) {
             device.plug(RobotFitter.mount(lejosClass, device.port()));
             plugged.add(device.connected() + " on S" + (device.port() + 1));

@@ -21,7 +21,8 @@ final class SetupCheck {
     /** Throws a {@link SetupException} that names what is wrong and what is there. */
     void check(Arena arena) {
         if (settings.backend() == BackendChoice.CONTINUATIONS && !BackendChoice.continuationsAvailable()) {
-            throw new SetupException("the continuation back-end needs JDK 21 or later, started with " + BackendChoice.CONTINUATION_OPTIONS);
+            throw new SetupException("the continuation back-end needs JDK 21 or later, started with "
+                    + BackendChoice.CONTINUATION_OPTIONS);
         }
         settings.goal().flatMap(Goal::zone).ifPresent(this::zone);
         settings.stimuli().forEach(stimulus -> stimulus(stimulus, arena));
@@ -37,16 +38,20 @@ final class SetupCheck {
 
     /** Checks that what a stimulus names is there. */
     static void stimulus(Stimulus stimulus, Arena arena) {
-        String target = stimulus instanceof Stimulus.Move move ? move.target() : stimulus instanceof Stimulus.Remove remove ? remove.target() : null;
+        String target = stimulus instanceof Stimulus.Move move ? move.target()
+                : stimulus instanceof Stimulus.Remove remove ? remove.target() : null;
         if (target == null) {
             return;
         }
         boolean robot = arena.robot(target).isPresent() && stimulus instanceof Stimulus.Move;
         boolean movable = arena.obstacle(target).map(obstacle -> obstacle.description().movable()).orElse(false);
         if (!robot && !movable) {
-            Stream<String> movables = arena.obstacles().stream().filter(obstacle -> obstacle.description().movable()).map(obstacle -> obstacle.name());
-            Stream<String> robots = stimulus instanceof Stimulus.Move ? arena.robots().stream().map(r -> r.name()) : Stream.of();
-            throw new SetupException("stimulus '" + stimulus.text() + "': there is nothing movable named " + target + "; there are: "
+            Stream<String> movables = arena.obstacles().stream().filter(obstacle -> obstacle.description().movable())
+                    .map(obstacle -> obstacle.name());
+            Stream<String> robots = stimulus instanceof Stimulus.Move ? arena.robots().stream().map(r -> r.name())
+                    : Stream.of();
+            throw new SetupException("stimulus '" + stimulus.text() + "': there is nothing movable named " + target
+                    + "; there are: "
                     + Stream.concat(robots, movables).collect(Collectors.joining(", ")));
         }
     }

@@ -15,7 +15,8 @@ import java.util.function.Consumer;
  * run.advance(Duration.ofSeconds(30));
  * </pre>
  *
- * <p>If several runs are started, the files of the second go into the folder with {@code -2} behind its name, and so on. Thread-safe.
+ * <p>If several runs are started, the files of the second go into the folder with {@code -2} behind its name, and so
+ * on. Thread-safe.
  */
 public final class Simulation {
     private final SimulationSettings settings;
@@ -75,7 +76,8 @@ public final class Simulation {
 
     private Run start(Program program, Optional<ProgramBody> body) {
         int number = runs.incrementAndGet();
-        Optional<Path> out = settings.out().map(folder -> number == 1 ? folder : folder.resolveSibling(folder.getFileName() + "-" + number));
+        Optional<Path> out = settings.out().map(folder -> number == 1 ? folder
+                : folder.resolveSibling(folder.getFileName() + "-" + number));
         Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body));
         started.accept(run);
         return run;

@@ -1,6 +1,8 @@
 // The arena as drawn, with robots and movable bodies where they were.
 
 const ROBOT_COLOURS = ['var(--robot-1)', 'var(--robot-2)', 'var(--robot-3)', 'var(--robot-4)'];
+/** Robots that are named after a colour have it. */
+const NAMED_COLOURS = {blue: ROBOT_COLOURS[0], red: ROBOT_COLOURS[1], green: ROBOT_COLOURS[2]};
 /** Points of the driven path closer than this are left out, millimetres. */
 const PATH_SPACING = 4;
 
@@ -48,9 +50,10 @@ class Arena {
     host.append(html('div', {class: 'stage-frame'}, this.stage), this.caption);
     this.world = new WorldDrawing(this.stage, recording.scene);
     const overlay = new Layer(this.stage, recording.scene.bounds, 'overlay');
-    copyPalette(overlay.root);
+    overlay.root.style.pointerEvents = 'none';
     this.zones(overlay.root);
-    this.paths = recording.robots.map((robot, i) => new DrivenPath(overlay.root, robot.track, ROBOT_COLOURS[i % ROBOT_COLOURS.length]));
+    this.paths = recording.robots.map((robot, i) => new DrivenPath(overlay.root, robot.track,
+      NAMED_COLOURS[robot.name] || ROBOT_COLOURS[i % ROBOT_COLOURS.length]));
     this.drawings = recording.robots.map((robot) => new RobotDrawing(this.stage, recording.scene.bounds, robot));
     this.removals = recording.events.filter((event) => event.type === 'stimulus' && event.do.startsWith('remove '))
       .map((event) => ({time: event.t, id: event.do.slice('remove '.length)}));
@@ -76,7 +79,7 @@ class Arena {
       outline.removeAttribute('transform');
       const group = svg('g', {transform: matrixText(matrixWithin(drawing, zone, true)), fill: 'none', stroke: 'var(--zone)', 'stroke-width': 4,
         'stroke-dasharray': '14 10', opacity: 0.8}, outline);
-      const label = svg('text', {x: box.x + 14, y: box.y + box.height - 14, fill: 'var(--zone)', stroke: 'none', 'font-size': 34, 'font-weight': 600,
+      const label = svg('text', {x: box.x + box.width / 2, y: box.y + box.height - 14, 'text-anchor': 'middle', fill: 'var(--zone)', stroke: 'none', 'font-size': 34, 'font-weight': 600,
         'font-family': 'system-ui, sans-serif'});
       label.textContent = zone.getAttribute('data-zone');
       group.append(label);
@@ -125,9 +128,4 @@ class Arena {
     this.caption.textContent = words.join('  ·  ');
     this.stage.setAttribute('aria-label', `Arena at ${clock(time)}: ${words.join(', ')}`);
   }
-}
-
-/** Shadow trees inherit custom properties, so colours of the theme reach the overlay by themselves; text there must not catch clicks. */
-function copyPalette(root) {
-  root.style.pointerEvents = 'none';
 }

@@ -8,6 +8,7 @@ const EVENT_KINDS = {
   hand: {title: 'Hands', on: true, tick: true},
   behaviour: {title: 'Behaviours', on: true, tick: false},
   brick: {title: 'LEDs and sounds', on: false, tick: false},
+  end: {title: 'End', on: true, tick: false},
 };
 
 const LED_WORDS = ['LEDs off', 'LEDs green', 'LEDs red', 'LEDs orange', 'LEDs flash green', 'LEDs flash red', 'LEDs flash orange', 'LEDs pulse green',
@@ -21,7 +22,7 @@ const EVENT_WORDS = {
   stimulus: (e) => ['hand', e.do],
   key: (e) => ['hand', `${e.key} ${e.down ? 'down' : 'up'}${PRESSED_BY[e.cause] || ''}`],
   exception: (e) => ['problem', `${e.exception} in thread ${e.thread}`],
-  end: (e) => [['exited', 'time-limit', 'goal-reached'].includes(e.outcome) && e.exitStatus <= 0 ? 'zone' : 'problem',
+  end: (e) => [['exited', 'time-limit', 'goal-reached'].includes(e.outcome) && e.exitStatus <= 0 ? 'end' : 'problem',
     `End: ${e.outcome}${e.outcome === 'exited' ? ` with status ${e.exitStatus}` : ''}`],
   led: (e) => ['brick', LED_WORDS[e.pattern] || `LED pattern ${e.pattern}`],
   sound: (e) => ['brick', e.name === 'silence' ? 'Silence' : e.hertz > 0 ? `Tone ${e.hertz} Hz for ${period(e.millis / 1000)}` : `Sound ${e.name}`],
@@ -76,7 +77,7 @@ class Lists {
   }
 
   chips() {
-    return Object.entries(EVENT_KINDS).filter(([kind]) => this.all.some((entry) => entry.kind === kind)).map(([kind, {title, on}]) =>
+    return Object.entries(EVENT_KINDS).filter(([kind]) => kind !== 'end' && this.all.some((entry) => entry.kind === kind)).map(([kind, {title, on}]) =>
       html('button', {type: 'button', class: `chip ${kind}`, 'aria-pressed': String(on), on: {click: (event) => {
         const show = !this.shown.has(kind);
         this.shown[show ? 'add' : 'delete'](kind);

@@ -18,7 +18,7 @@ class Figures {
     const {header, summary} = recording;
     const name = header.main.slice(header.main.lastIndexOf('.') + 1);
     const outcome = outcomeOf(recording);
-    const setting = [header.world, header.robots.join(', '), `seed ${header.seed}`];
+    const setting = [`world ${header.world}`, `robot ${header.robots.join(', ')}`, `seed ${header.seed}`];
     if (header.scheduleSeed >= 0) {
       setting.push(`schedule seed ${header.scheduleSeed}`);
     }

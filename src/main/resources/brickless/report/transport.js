@@ -14,7 +14,9 @@ class Transport {
     this.entries = entries;
     this.playIcon = icon(PLAY_ICON);
     this.play = this.button('Play', this.playIcon, () => player.toggle(), 'play');
-    this.time = html('output', {class: 'time', 'aria-label': 'Time of the replay'});
+    this.now = html('span', {});
+    this.time = html('output', {class: 'time', 'aria-label': 'Time of the replay'}, this.now,
+      html('span', {class: 'total'}, ` / ${clock(player.duration, 0)}`));
     this.ticks = html('canvas', {class: 'ticks', 'aria-hidden': 'true'});
     this.slider = html('input', {type: 'range', class: 'scrub', min: 0, max: player.duration, step: 'any', value: 0, 'aria-label': 'Time', on: {
       input: () => player.seek(Number(this.slider.value))}});
@@ -29,7 +31,7 @@ class Transport {
       html('div', {class: 'buttons end'}, this.speed,
         this.button('Zoom out', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6'), () => window.zoom(2, player.time), 'flat'),
         this.button('Zoom in', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6M9 6v6'), () => window.zoom(0.5, player.time), 'flat'),
-        this.button('Keys', icon('M7.5 7.500a2.5 2.5 0 1 1 3.6 2.300c-.8.4-1.1.900-1.1 1.700v.5M10 15v.01'), () => this.help.showModal(), 'flat')),
+        this.button('Keys', icon('M7.5 7.500a2.5 2.5 0 1 1 3.6 2.300c-.8.4-1.1.900-1.1 1.700v.5M10 15v.01'), () => this.help.showModal(), 'flat keys')),
       this.help);
     document.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => this.drawTicks()).observe(this.ticks.parentNode);
@@ -60,7 +62,7 @@ class Transport {
     this.slider.value = time;
     this.slider.setAttribute('aria-valuetext', clock(time));
     this.slider.style.setProperty('--part', String(time / this.player.duration));
-    setText(this.time, `${clock(time)} / ${clock(this.player.duration, 0)}`);
+    setText(this.now, clock(time));
   }
 
   drawTicks() {

@@ -15,7 +15,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Bad input: one located line for the user, exit status 2, and nothing written. */
 class BadInputTest {
     private static final String PROGRAM = "public class Idle { public static void main(String[] args) { } }";
-    private static final String CHASSIS = "<rect data-part='chassis' x='-80' y='-60' width='160' height='120' data-mass-kg='0.8'/>";
+    private static final String CHASSIS = "<rect data-part='chassis' x='-80' y='-60' width='160' height='120' "
+            + "data-mass-kg='0.8'/>";
 
     @TempDir Path folder;
     private Path idle;
@@ -49,11 +50,13 @@ class BadInputTest {
     }
 
     private Path world(String content) {
-        return write("w.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'>\n" + content + "\n</svg>\n");
+        return write("w.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'>\n" + content
+                + "\n</svg>\n");
     }
 
     private Path robot(String content) {
-        return write("r.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-100 -100 200 200'>\n" + content + "\n</svg>\n");
+        return write("r.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-100 -100 200 200'>\n" + content
+                + "\n</svg>\n");
     }
 
     @Test void missingProgram() {
@@ -65,31 +68,38 @@ class BadInputTest {
     }
 
     @Test void classWithoutMain() {
-        assertThat(refused("java.lang.String")).endsWith("class java.lang.String has no public static void main(String[])");
+        assertThat(refused("java.lang.String")).endsWith(
+                "class java.lang.String has no public static void main(String[])");
     }
 
     @Test void programThatDoesNotCompile() {
-        Path broken = write("Broken.java", "public class Broken {\n    public static void main(String[] args) {\n        int x = \"text\";\n    }\n}\n");
-        assertThat(refused(broken)).endsWith("Broken.java:3: error: incompatible types: java.lang.String cannot be converted to int");
+        Path broken = write("Broken.java", "public class Broken {\n    public static void main(String[] args) {\n     "
+                + "   int x = \"text\";\n    }\n}\n");
+        assertThat(refused(broken)).endsWith("Broken.java:3: error: incompatible types: java.lang.String cannot be "
+                + "converted to int");
     }
 
     @Test void programWithAClassThatLeJosDoesNotHave() {
-        Path broken = write("Broken.java", "import lejos.hardware.Teleporter;\nclass Broken { public static void main(String[] a) { } }\n");
+        Path broken = write("Broken.java", "import lejos.hardware.Teleporter;\nclass Broken { public static void "
+                + "main(String[] a) { } }\n");
         assertThat(refused(broken)).contains("Broken.java:1: error: cannot find symbol").contains("class Teleporter");
     }
 
     @Test void programWithoutMain() {
-        assertThat(refused(write("Parts.java", "class Parts { }"))).endsWith("Parts.java: no class with a public static void main(String[])");
+        assertThat(refused(write("Parts.java", "class Parts { }")))
+                .endsWith("Parts.java: no class with a public static void main(String[])");
     }
 
     @Test void severalMainsAndNoneChosen() {
         write("several/One.java", "class One { public static void main(String[] a) { } }");
         write("several/Two.java", "class Two { public static void main(String[] a) { } }");
-        assertThat(refused(folder.resolve("several"))).endsWith("several main classes, choose one with --main: One, Two");
+        assertThat(refused(folder.resolve("several")))
+                .endsWith("several main classes, choose one with --main: One, Two");
     }
 
     @Test void chosenMainThatIsNone() {
-        assertThat(refused(idle, "--main", "Other")).endsWith("class Other has no public static void main(String[]); main classes there: Idle");
+        assertThat(refused(idle, "--main", "Other"))
+                .endsWith("class Other has no public static void main(String[]); main classes there: Idle");
     }
 
     @Test void fileThatIsNoProgram() {
@@ -109,7 +119,8 @@ class BadInputTest {
     }
 
     @Test void worldThatIsMissing() {
-        assertThat(refused(idle, "--world", "no-such")).contains("no-such: no such world: neither a file nor one of pen, ");
+        assertThat(refused(idle, "--world", "no-such"))
+                .contains("no-such: no such world: neither a file nor one of pen, ");
     }
 
     @Test void worldThatIsNotXml() {
@@ -117,23 +128,29 @@ class BadInputTest {
     }
 
     @Test void robotThatIsMissing() {
-        assertThat(refused(idle, "--robot", "no-such")).contains("no-such: no such robot: neither a file nor one of educator, ");
+        assertThat(refused(idle, "--robot", "no-such"))
+                .contains("no-such: no such robot: neither a file nor one of educator, ");
     }
 
     @Test void unknownPart() {
-        assertThat(refused(idle, "--robot", robot(CHASSIS + "\n<rect id='x' data-part='rocket' width='9' height='9'/>")))
+        assertThat(refused(idle, "--robot", robot(CHASSIS
+                + "\n<rect id='x' data-part='rocket' width='9' height='9'/>")))
                 .contains("r.svg:3: ").contains("rocket").contains("chassis, wheel, caster, sensor");
     }
 
     @Test void portUsedTwice() {
-        String wheel = "<rect id='%s' data-part='wheel' data-port='B' data-motor='large' data-diameter-mm='56' x='-28' y='%d' width='56' height='20'/>";
-        assertThat(refused(idle, "--robot", robot(CHASSIS + "\n" + wheel.formatted("one", -80) + "\n" + wheel.formatted("two", 60))))
+        String wheel = "<rect id='%s' data-part='wheel' data-port='B' data-motor='large' data-diameter-mm='56' "
+                + "x='-28' y='%d' width='56' height='20'/>";
+        assertThat(refused(idle, "--robot", robot(CHASSIS + "\n" + wheel.formatted("one", -80) + "\n"
+                + wheel.formatted("two", 60))))
                 .contains("r.svg:4: ").contains("two").contains("B");
     }
 
     @Test void wheelWithoutSize() {
-        assertThat(refused(idle, "--robot", robot(CHASSIS + "\n<rect id='w' data-part='wheel' data-port='B' data-motor='large' "
-                + "data-diameter-mm='0' x='-28' y='-80' width='56' height='20'/>"))).contains("r.svg:3: ").contains("data-diameter-mm");
+        assertThat(refused(idle, "--robot", robot(CHASSIS
+                + "\n<rect id='w' data-part='wheel' data-port='B' data-motor='large' "
+                + "data-diameter-mm='0' x='-28' y='-80' width='56' height='20'/>"))).contains("r.svg:3: ")
+                .contains("data-diameter-mm");
     }
 
     @Test void robotInsideAWall() {
@@ -171,23 +188,28 @@ class BadInputTest {
     }
 
     @Test void stimulusThatIsUnknown() {
-        assertThat(refused(idle, "--stimuli", write("s.txt", "# a comment\n1s press ENTER 200ms\n2s kick S1 1s\n"))).contains("s.txt:3: unknown stimulus 'kick'");
+        assertThat(refused(idle, "--stimuli", write("s.txt", "# a comment\n1s press ENTER 200ms\n2s kick S1 1s\n")))
+                .contains("s.txt:3: unknown stimulus 'kick'");
     }
 
     @Test void stimulusForSomethingThatIsNotThere() {
-        assertThat(refused(idle, "--stimuli", write("s.txt", "1s remove piano\n"))).contains("'remove piano'").contains("crate, brick");
+        assertThat(refused(idle, "--stimuli", write("s.txt", "1s remove piano\n"))).contains("'remove piano'")
+                .contains("crate, brick");
     }
 
     @Test void stimulusForAWall() {
-        assertThat(refused(idle, "--stimuli", write("s.txt", "1s move fence 500,500 0\n"))).contains("nothing movable named fence");
+        assertThat(refused(idle, "--stimuli", write("s.txt", "1s move fence 500,500 0\n")))
+                .contains("nothing movable named fence");
     }
 
     @Test void unknownZone() {
-        assertThat(refused(idle, "--until", "zone:gaol")).endsWith("zone:gaol: pen has no such zone; its zones are goal");
+        assertThat(refused(idle, "--until", "zone:gaol"))
+                .endsWith("zone:gaol: pen has no such zone; its zones are goal");
     }
 
     @Test void zoneOfAWorldWithoutZones() {
-        assertThat(refused(idle, "--world", world("<rect width='9' height='9'/>"), "--until", "zone:goal")).endsWith("has no such zone; it has no zones");
+        assertThat(refused(idle, "--world", world("<rect width='9' height='9'/>"), "--until", "zone:goal"))
+                .endsWith("has no such zone; it has no zones");
     }
 
     @Test void goalThatIsNone() {

@@ -69,16 +69,19 @@ class ExploreCommandTest {
 
     @Test void aLockOrderDeadlockIsFoundAndReplayed() throws IOException {
         Path program = program("LockOrder", LOCK_ORDER);
-        assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status()).as("round-robin does not show it").isZero();
+        assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status())
+                .as("round-robin does not show it").isZero();
         CommandLineRun found = CommandLineRun.of("explore", program, "--schedules", 80);
         assertThat(found.status()).as(found.out()).isEqualTo(1);
-        assertThat(found.out()).contains("deadlock: ").contains("of 80, first with schedule seed ").contains("LockOrder.java:9");
+        assertThat(found.out()).contains("deadlock: ").contains("of 80, first with schedule seed ")
+                .contains("LockOrder.java:9");
         assertThat(again(found.out()).lastLine()).contains("\"outcome\":\"deadlock\"");
     }
 
     @Test void aLostUpdateIsFoundAndReplayed() throws IOException {
         Path program = program("LostUpdate", LOST_UPDATE);
-        assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status()).as("round-robin does not show it").isZero();
+        assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status())
+                .as("round-robin does not show it").isZero();
         CommandLineRun found = CommandLineRun.of("explore", program, "--schedules", 80);
         assertThat(found.status()).as(found.out()).isEqualTo(1);
         assertThat(found.out()).contains("failed: ").contains("IllegalStateException: counted ");
@@ -86,7 +89,8 @@ class ExploreCommandTest {
     }
 
     @Test void aSoundProgramPassesAllSchedules() throws IOException {
-        Path program = program("Sound", LOST_UPDATE.replace("LostUpdate", "Sound").replace("write(read() + 1);", "synchronized (lock) { write(read() + 1); }"));
+        Path program = program("Sound", LOST_UPDATE.replace("LostUpdate", "Sound").replace("write(read() + 1);",
+                "synchronized (lock) { write(read() + 1); }"));
         CommandLineRun run = CommandLineRun.of("explore", program, "--schedules", 40);
         assertThat(run.status()).as(run.out()).isZero();
         assertThat(run.out()).contains("40 schedules: no failure");

@@ -48,10 +48,13 @@ class ProgramFormsTest {
 
     /** Two classes of one package, compiled. */
     private Path classes() throws IOException {
-        Path main = write("src/fleet/Scout.java", "package fleet;\npublic class Scout { public static void main(String[] a) { System.out.println(Map.TEXT); } }");
-        Path part = write("src/fleet/Map.java", "package fleet;\nclass Map { static final String TEXT = \"scout\" + 1; }");
+        Path main = write("src/fleet/Scout.java", "package fleet;\npublic class Scout { public static void "
+                + "main(String[] a) { System.out.println(Map.TEXT); } }");
+        Path part = write("src/fleet/Map.java", "package fleet;\nclass Map { static final String TEXT = \"scout\" + "
+                + "1; }");
         Path target = Files.createDirectories(folder.resolve("classes"));
-        int status = ToolProvider.getSystemJavaCompiler().run(null, null, null, "--release", "8", "-nowarn", "-Xlint:-options", "-d", target.toString(),
+        int status = ToolProvider.getSystemJavaCompiler().run(null, null, null, "--release", "8", "-nowarn",
+                "-Xlint:-options", "-d", target.toString(),
                 main.toString(), part.toString());
         assertThat(status).isZero();
         return target;
@@ -106,7 +109,8 @@ class ProgramFormsTest {
     }
 
     @Test void librariesFromTheClassPath() throws IOException {
-        Path user = write("User.java", "import fleet.Scout;\npublic class User { public static void main(String[] a) { Scout.main(a); } }");
+        Path user = write("User.java", "import fleet.Scout;\npublic class User { public static void main(String[] a) "
+                + "{ Scout.main(a); } }");
         assertThat(printed(user, "--classpath", jar(null))).isEqualTo("scout1");
     }
 
@@ -118,26 +122,43 @@ class ProgramFormsTest {
     }
 
     @Test void sourceInLatin1WithUmlauts() throws IOException {
-        Path file = write("Gruss.java", "// f\u00fcr alle\npublic class Gruss { public static void main(String[] a) { System.out.println(\"Gr\u00fc\u00dfe\"); } }",
+        Path file = write("Gruss.java", "// f\u00fcr alle\npublic class Gruss { public static void main(String[] a) { "
+                + "System.out.println(\"Gr\u00fc\u00dfe\"); } }",
                 StandardCharsets.ISO_8859_1);
         assertThat(printed(file)).isEqualTo("Gr\u00fc\u00dfe");
     }
 
     @Test void sourceWithByteOrderMark() throws IOException {
-        assertThat(printed(write("Marked.java", "\uFEFFclass Marked { public static void main(String[] a) { System.out.println(\"\u00e4\"); } }"))).isEqualTo("\u00e4");
+        assertThat(printed(write("Marked.java", "\uFEFFclass Marked { public static void main(String[] a) { "
+                + "System.out.println(\"\u00e4\"); } }"))).isEqualTo("\u00e4");
     }
 
     @Test void sourceForJava17() throws IOException {
-        assertThat(printed(write("Modern.java", "import java.util.List;\npublic class Modern {\n    record Leg(int cm) {}\n"
-                + "    public static void main(String[] a) {\n        var legs = List.of(new Leg(3), new Leg(4));\n"
-                + "        int sum = legs.stream().mapToInt(Leg::cm).sum();\n        String size = switch (sum) { case 7 -> \"seven\"; default -> \"?\"; };\n"
-                + "        System.out.println(size + \" \" + legs.get(0));\n    }\n}\n"))).isEqualTo("seven Leg[cm=3]");
+        assertThat(printed(write("Modern.java", """
+                import java.util.List;
+                public class Modern {
+                    record Leg(int cm) {}
+                    public static void main(String[] a) {
+                        var legs = List.of(new Leg(3), new Leg(4));
+                        int sum = legs.stream().mapToInt(Leg::cm).sum();
+                        String size = switch (sum) { case 7 -> "seven"; default -> "?"; };
+                        System.out.println(size + " " + legs.get(0));
+                    }
+                }
+                """))).isEqualTo("seven Leg[cm=3]");
     }
 
     @Test void sourceForJava8WithYieldAsAMethod() throws IOException {
-        assertThat(printed(write("Old.java", "public class Old extends Thread {\n    int turns;\n    public void run() {\n"
-                + "        while (turns < 3) { turns++; yield(); }\n        System.out.println(\"turns \" + turns);\n    }\n"
-                + "    public static void main(String[] a) { new Old().start(); }\n}\n"))).isEqualTo("turns 3");
+        assertThat(printed(write("Old.java", """
+                public class Old extends Thread {
+                    int turns;
+                    public void run() {
+                        while (turns < 3) { turns++; yield(); }
+                        System.out.println("turns " + turns);
+                    }
+                    public static void main(String[] a) { new Old().start(); }
+                }
+                """))).isEqualTo("turns 3");
     }
 
     @Test void classOfTheApplication() {
@@ -145,7 +166,8 @@ class ProgramFormsTest {
     }
 
     @Test void mainOfASuperclass() throws IOException {
-        write("inherit/Base.java", "class Base { public static void main(String[] a) { System.out.println(\"base\"); } }");
+        write("inherit/Base.java", "class Base { public static void main(String[] a) { System.out.println(\"base\"); "
+                + "} }");
         Path derived = write("inherit/Derived.java", "public class Derived extends Base { }");
         assertThat(printed(derived)).isEqualTo("base");
     }

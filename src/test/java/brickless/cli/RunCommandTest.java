@@ -21,7 +21,8 @@ class RunCommandTest {
     @TempDir Path folder;
 
     private Path source(String name, String body) throws IOException {
-        return Files.writeString(folder.resolve(name + ".java"), "import lejos.hardware.*;\nimport lejos.utility.Delay;\npublic class " + name
+        return Files.writeString(folder.resolve(name + ".java"),
+                "import lejos.hardware.*;\nimport lejos.utility.Delay;\npublic class " + name
                 + " {\n    public static void main(String[] args) throws Exception {\n" + body + "\n    }\n}\n");
     }
 
@@ -48,24 +49,31 @@ class RunCommandTest {
         CommandLineRun run = run(source("Short", "System.out.println(\"hello\"); Delay.msDelay(100);"), "--json");
         assertThat(run.status()).as(run.err()).isZero();
         String number = "VALUE_NUMBER_(INT|FLOAT)";
-        List<String> expected = List.of("program VALUE_STRING", "main VALUE_STRING", "world VALUE_STRING", "robot VALUE_STRING",
-                "seed VALUE_NUMBER_INT", "outcome VALUE_STRING", "exitStatus VALUE_NUMBER_INT", "simulatedSeconds " + number,
-                "wallSeconds " + number, "realTimeFactor " + number, "distanceMetres " + number, "collisions VALUE_NUMBER_INT", "zones START_ARRAY",
-                "finalPose START_OBJECT", "xMetres " + number, "yMetres " + number, "headingDegrees " + number, "traceHash VALUE_STRING",
-                "contextSwitches VALUE_NUMBER_INT", "physicsSteps VALUE_NUMBER_INT", "backend VALUE_STRING", "jdk VALUE_STRING", "error VALUE_NULL");
+        List<String> expected = List.of("program VALUE_STRING", "main VALUE_STRING", "world VALUE_STRING",
+                "robot VALUE_STRING",
+                "seed VALUE_NUMBER_INT", "outcome VALUE_STRING", "exitStatus VALUE_NUMBER_INT", "simulatedSeconds "
+                + number,
+                "wallSeconds " + number, "realTimeFactor " + number, "distanceMetres " + number,
+                "collisions VALUE_NUMBER_INT", "zones START_ARRAY",
+                "finalPose START_OBJECT", "xMetres " + number, "yMetres " + number, "headingDegrees " + number,
+                "traceHash VALUE_STRING",
+                "contextSwitches VALUE_NUMBER_INT", "physicsSteps VALUE_NUMBER_INT", "backend VALUE_STRING",
+                "jdk VALUE_STRING", "error VALUE_NULL");
         List<String> fields = fields(run.lastLine());
         assertThat(fields).hasSameSizeAs(expected);
         for (int i = 0; i < expected.size(); i++) {
             assertThat(fields.get(i)).matches(expected.get(i));
         }
-        assertThat(run.lastLine()).contains("\"outcome\":\"exited\",\"exitStatus\":0", "\"world\":\"pen\"", "\"seed\":1,");
+        assertThat(run.lastLine()).contains("\"outcome\":\"exited\",\"exitStatus\":0", "\"world\":\"pen\"",
+                "\"seed\":1,");
         assertThat(run.out().lines()).first().isEqualTo("hello");
     }
 
     @Test void theFolderHoldsTheFilesAndTheSummaryIsTheJsonLine() throws IOException {
         CommandLineRun run = run(source("Short", "System.out.println(\"hello\");"), "--json");
         Path out = folder.resolve("out");
-        for (String name : new String[] {"summary.json", "trace.jsonl", "signals.csv", "path.svg", "screen.png", "robot.svg"}) {
+        for (String name : new String[] {"summary.json", "trace.jsonl", "signals.csv", "path.svg", "screen.png",
+                "robot.svg"}) {
             assertThat(out.resolve(name)).isNotEmptyFile();
         }
         assertThat(out.resolve("console.txt")).hasContent("hello\n");
@@ -74,13 +82,16 @@ class RunCommandTest {
     }
 
     @Test void theConsoleFileHoldsExactlyWhatWasPrinted() throws IOException {
-        run(source("Printer", "System.out.print(\"a\\tb\\u00e4\"); System.err.print(\"!\"); System.out.println(); System.out.printf(\"%d%%\", 7);"));
-        assertThat(Files.readAllBytes(folder.resolve("out/console.txt"))).isEqualTo("a\tb\u00e4!\n7%".getBytes(StandardCharsets.UTF_8));
+        run(source("Printer", "System.out.print(\"a\\tb\\u00e4\"); System.err.print(\"!\"); System.out.println(); "
+                + "System.out.printf(\"%d%%\", 7);"));
+        assertThat(Files.readAllBytes(folder.resolve("out/console.txt")))
+                .isEqualTo("a\tb\u00e4!\n7%".getBytes(StandardCharsets.UTF_8));
     }
 
     @Test void theHashIsTheOneOfTheTraceFile() throws Exception {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"), "--json");
-        byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(folder.resolve("out/trace.jsonl")));
+        byte[] digest = MessageDigest.getInstance("SHA-256")
+                .digest(Files.readAllBytes(folder.resolve("out/trace.jsonl")));
         assertThat(run.lastLine()).contains("\"traceHash\":\"" + HexFormat.of().formatHex(digest) + "\"");
     }
 
@@ -93,16 +104,21 @@ class RunCommandTest {
     }
 
     @Test void anExceptionIsToldInTheProgramsOwnLinesAndTime() throws IOException {
-        CommandLineRun run = run(source("Thrower", "Delay.msDelay(2000);\nint[] none = new int[0];\nSystem.out.println(none[3]);"), "--json");
+        CommandLineRun run = run(source("Thrower", "Delay.msDelay(2000);\nint[] none = new int[0];\n"
+                + "System.out.println(none[3]);"), "--json");
         assertThat(run.status()).isEqualTo(1);
-        assertThat(run.err()).contains("Exception in thread \"main\" after 2.").contains("ArrayIndexOutOfBoundsException: Index 3 out of bounds for length 0")
+        assertThat(run.err()).contains("Exception in thread \"main\" after 2.")
+                .contains("ArrayIndexOutOfBoundsException: Index 3 out of bounds for length 0")
                 .contains("\tat Thrower.main(Thrower.java:7)").contains("run it again: brickless run ");
-        assertThat(run.err().lines().filter(line -> line.startsWith("\tat "))).as("only the program's own lines").hasSize(1);
-        assertThat(run.lastLine()).contains("\"outcome\":\"failed\",\"exitStatus\":null").contains("\"error\":\"Exception in thread");
+        assertThat(run.err().lines().filter(line -> line.startsWith("\tat "))).as("only the program's own lines")
+                .hasSize(1);
+        assertThat(run.lastLine()).contains("\"outcome\":\"failed\",\"exitStatus\":null")
+                .contains("\"error\":\"Exception in thread");
     }
 
     @Test void otherThreadsGoOnAfterAnException() throws IOException {
-        CommandLineRun run = run(source("Goes", "new Thread(() -> { Delay.msDelay(3000); System.out.println(\"still here\"); }).start();\n"
+        CommandLineRun run = run(source("Goes", "new Thread(() -> { Delay.msDelay(3000); System.out.println(\"still "
+                + "here\"); }).start();\n"
                 + "throw new IllegalStateException(\"main is gone\");"), "--json");
         assertThat(run.status()).isEqualTo(1);
         assertThat(run.out()).contains("still here");
@@ -116,7 +132,8 @@ class RunCommandTest {
     }
 
     @Test void aDeadlockIsToldWithItsThreads() throws IOException {
-        CommandLineRun run = run(source("Locked", "final Object never = new Object();\nsynchronized (never) { never.wait(); }"), "--json");
+        CommandLineRun run = run(source("Locked", "final Object never = new Object();\nsynchronized (never) { "
+                + "never.wait(); }"), "--json");
         assertThat(run.status()).isEqualTo(1);
         assertThat(run.lastLine()).contains("\"outcome\":\"deadlock\",\"exitStatus\":null");
         assertThat(run.err()).contains("\"main\" WAITING").contains("Locked.java:6");
@@ -135,11 +152,15 @@ class RunCommandTest {
     }
 
     @Test void aReachedGoalEndsTheRun() throws IOException {
-        Path world = Files.writeString(folder.resolve("w.svg"), "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 3000 1000'>"
-                + "<rect data-zone='far' x='1000' y='0' width='500' height='1000'/><g data-robot='robot' transform='translate(300 500)'/></svg>");
-        CommandLineRun run = run(CommandLineRun.program("explorer/Explorer.java"), "--world", world, "--until", "zone:far", "--json");
+        Path world = Files.writeString(folder.resolve("w.svg"),
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 3000 1000'>"
+                + "<rect data-zone='far' x='1000' y='0' width='500' height='1000'/><g data-robot='robot' "
+                + "transform='translate(300 500)'/></svg>");
+        CommandLineRun run = run(CommandLineRun.program("explorer/Explorer.java"), "--world", world, "--until",
+                "zone:far", "--json");
         assertThat(run.status()).as(run.err()).isZero();
-        assertThat(run.lastLine()).contains("\"outcome\":\"goal-reached\"").contains("\"zones\":[\"far\"]").contains("\"xMetres\":1.00");
+        assertThat(run.lastLine()).contains("\"outcome\":\"goal-reached\"").contains("\"zones\":[\"far\"]")
+                .contains("\"xMetres\":1.00");
     }
 
     @Test void exitAsGoalIsMissedAtTheTimeLimit() throws IOException {
@@ -159,7 +180,8 @@ class RunCommandTest {
 
     @Test void theSummaryTellsTheFittedRobotAndTheFolder() throws IOException {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"));
-        assertThat(run.out()).contains("robot fitted to the program: ", "left wheel on B (large motor, 56.0 mm)", "ev3-ultrasonic on S4", "outcome    exited with status 0",
+        assertThat(run.out()).contains("robot fitted to the program: ", "left wheel on B (large motor, 56.0 mm)",
+                "ev3-ultrasonic on S4", "outcome    exited with status 0",
                 "files      " + folder.resolve("out"));
     }
 }

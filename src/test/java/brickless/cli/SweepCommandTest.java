@@ -53,6 +53,11 @@ class SweepCommandTest {
                 "pen 1", "pen 2", "pen 3", "pen 4", "pen 9", "pen 7");
     }
 
+    @Test void worldsCanBeNamedOneByOneOrByPatternsWithBraces() {
+        CommandLineRun run = CommandLineRun.of("sweep", program, "--worlds", "pen", "--worlds", folder.resolve("{line-loop,pen}.svg"), "--for", "1s");
+        assertThat(run.out().lines().map(line -> line.replaceFirst(".*\"world\":\"([^\"]*)\".*", "$1"))).containsExactly("pen", "line-loop", "pen");
+    }
+
     @Test void theNumberOfJobsChangesNothing() {
         String one = sweep("--jobs", 1).out();
         assertThat(one.lines()).hasSize(12);

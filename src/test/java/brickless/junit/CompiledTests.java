@@ -24,7 +24,10 @@ import javax.tools.ToolProvider;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 
-/** Tests as a user would have them: compiled apart from ours, on a class path with the example programs, and run by JUnit. */
+/**
+ * Tests as a user would have them: compiled apart from ours, on a class path with the example programs, and run by
+ * JUnit.
+ */
 final class CompiledTests implements AutoCloseable {
     private final Path folder;
     private final URLClassLoader loader;
@@ -44,7 +47,8 @@ final class CompiledTests implements AutoCloseable {
         }
         Path classes = Files.createDirectories(folder.resolve("classes"));
         compile(files, classes);
-        URLClassLoader loader = new URLClassLoader(new URL[] {classes.toUri().toURL()}, CompiledTests.class.getClassLoader());
+        URLClassLoader loader = new URLClassLoader(new URL[] {classes.toUri().toURL()},
+                CompiledTests.class.getClassLoader());
         return new CompiledTests(folder, loader);
     }
 
@@ -80,7 +84,8 @@ final class CompiledTests implements AutoCloseable {
         ClassLoader before = thread.getContextClassLoader();
         thread.setContextClassLoader(loader);
         try {
-            EngineTestKit.Builder kit = EngineTestKit.engine("junit-jupiter").configurationParameter(TestFolder.PARAMETER, runs().toString())
+            EngineTestKit.Builder kit = EngineTestKit.engine("junit-jupiter")
+                    .configurationParameter(TestFolder.PARAMETER, runs().toString())
                     .configurationParameter("junit.jupiter.execution.parallel.enabled", String.valueOf(parallel))
                     .configurationParameter("junit.jupiter.execution.parallel.mode.default", "concurrent")
                     .configurationParameter("junit.jupiter.execution.parallel.config.strategy", "fixed")

@@ -10,8 +10,10 @@ class ExampleTest {
     @TempDir Path folder;
 
     @Test void theExampleOfTheGuidePasses() throws Exception {
-        try (CompiledTests tests = CompiledTests.of(folder, Map.of("bumper.BumperCarTest", CompiledTests.resource("BumperCarTest.java.txt")))) {
-            tests.run(false, "bumper.BumperCarTest").testEvents().debug().assertStatistics(events -> events.started(2).succeeded(2));
+        try (CompiledTests tests = CompiledTests.of(folder, Map.of("bumper.BumperCarTest",
+                CompiledTests.resource("BumperCarTest.java.txt")))) {
+            tests.run(false, "bumper.BumperCarTest").testEvents().debug().assertStatistics(events -> events.started(2)
+                    .succeeded(2));
         }
     }
 }

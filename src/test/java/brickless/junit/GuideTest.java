@@ -62,7 +62,8 @@ class GuideTest {
     }
 
     private static List<String> examples() throws IOException {
-        String guide = Files.readString(Path.of(System.getProperty("brickless.home"), "sim", "docs", "TESTING-YOUR-ROBOT.md"));
+        String guide = Files.readString(Path.of(System.getProperty("brickless.home"), "sim", "docs",
+                "TESTING-YOUR-ROBOT.md"));
         List<String> examples = new ArrayList<>();
         for (Matcher code = CODE.matcher(guide); code.find();) {
             examples.add(code.group(1));

@@ -31,7 +31,8 @@ class OnTheBrickTest {
 
     private static String name(Event event) {
         String id = event.getTestDescriptor().getUniqueId().getLastSegment().getValue();
-        return id.startsWith("#") ? event.getTestDescriptor().getParent().orElseThrow().getDisplayName().replaceAll("\\(.*", "") + id
+        return id.startsWith("#") ? event.getTestDescriptor().getParent().orElseThrow().getDisplayName()
+                .replaceAll("\\(.*", "") + id
                 : id.replaceAll("\\(.*", "");
     }
 
@@ -41,7 +42,8 @@ class OnTheBrickTest {
     }
 
     @Test void bodiesThatHoldPass() {
-        for (String name : new String[] {"timePasses", "openedBefore", "threadsOfItsOwn", "staticsAreItsOwn", "staticsAreItsOwnAgain", "turns#1",
+        for (String name : new String[] {"timePasses", "openedBefore", "threadsOfItsOwn", "staticsAreItsOwn",
+                "staticsAreItsOwnAgain", "turns#1",
             "turns#2", "expectsAnException", "leavesAThreadBehind", "seesTheOuterInstance"}) {
             assertThat(RESULTS).containsKey(name);
             assertThat(RESULTS.get(name).getThrowable()).as(name).isEmpty();
@@ -59,21 +61,26 @@ class OnTheBrickTest {
     }
 
     private static int lineOf(String text) {
-        return (int) CompiledTests.resource("BrickCases.java.txt").lines().takeWhile(line -> !line.contains("\"" + text + "\"")).count() + 1;
+        return (int) CompiledTests.resource("BrickCases.java.txt").lines().takeWhile(line -> !line.contains("\"" + text
+                + "\"")).count() + 1;
     }
 
     @Test void anExceptionSurfacesAsItIs() {
-        assertThat(failure("throwsItsOwnException")).isInstanceOf(UnsupportedOperationException.class).hasMessage("not today");
+        assertThat(failure("throwsItsOwnException")).isInstanceOf(UnsupportedOperationException.class)
+                .hasMessage("not today");
     }
 
     @Test void aFailureTellsTheSimulation() {
-        assertThat(failure("failsWithItsOwnMessage").getSuppressed()).singleElement().satisfies(story -> assertThat(story.toString())
-                .contains("simulation of cases.BrickCases in pen", "seed 1", "failsWithItsOwnMessage", "brickless replay ").containsPattern("after 2\\.[56]\\d*"
+        assertThat(failure("failsWithItsOwnMessage").getSuppressed()).singleElement()
+                .satisfies(story -> assertThat(story.toString())
+                .contains("simulation of cases.BrickCases in pen", "seed 1", "failsWithItsOwnMessage",
+                "brickless replay ").containsPattern("after 2\\.[56]\\d*"
                 + " simulated seconds|after [23](\\.\\d+)? simulated seconds"));
     }
 
     @Test void aTestThatDoesNotEndFailsAtTheLimit() {
-        assertThat(failure("neverEnds")).isInstanceOf(AssertionError.class).hasMessageContaining("did not end within 20 simulated seconds");
+        assertThat(failure("neverEnds")).isInstanceOf(AssertionError.class)
+                .hasMessageContaining("did not end within 20 simulated seconds");
     }
 
     @Test void aTestThatExitsFails() {

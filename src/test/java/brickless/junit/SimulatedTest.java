@@ -27,7 +27,8 @@ class SimulatedTest {
     @BeforeAll static void runTheCases() throws Exception {
         tests = CompiledTests.of(folder, Map.of("cases.RunCases", CompiledTests.resource("RunCases.java.txt")));
         results = tests.run(true, "cases.RunCases");
-        results.allEvents().finished().stream().forEach(event -> RESULTS.put(name(event), event.getRequiredPayload(TestExecutionResult.class)));
+        results.allEvents().finished().stream().forEach(event -> RESULTS.put(name(event),
+                event.getRequiredPayload(TestExecutionResult.class)));
     }
 
     @AfterAll static void closeTheCases() throws IOException {
@@ -36,7 +37,8 @@ class SimulatedTest {
 
     private static String name(Event event) {
         String id = event.getTestDescriptor().getUniqueId().getLastSegment().getValue();
-        return id.startsWith("#") ? event.getTestDescriptor().getParent().orElseThrow().getDisplayName().replaceAll("\\(.*", "") + id
+        return id.startsWith("#") ? event.getTestDescriptor().getParent().orElseThrow().getDisplayName()
+                .replaceAll("\\(.*", "") + id
                 : id.replaceAll("\\(.*", "");
     }
 
@@ -46,7 +48,8 @@ class SimulatedTest {
     }
 
     @Test void testsThatHoldPass() {
-        for (String name : new String[] {"oneSimulationPerTest", "methodBeforeClass", "inlineWorld", "inlineRobot", "seeds#1", "seeds#2", "seeds#3",
+        for (String name : new String[] {"oneSimulationPerTest", "methodBeforeClass", "inlineWorld", "inlineRobot",
+                "seeds#1", "seeds#2", "seeds#3",
             "seeds#4", "seedByParameter#1", "seedByParameter#2", "severalRuns", "activeBehaviour"}) {
             assertThat(RESULTS).containsKey(name);
             assertThat(RESULTS.get(name).getThrowable()).as(name).isEmpty();
@@ -54,14 +57,16 @@ class SimulatedTest {
     }
 
     @Test void seedsAreInTheNamesOfInvocations() {
-        assertThat(results.testEvents().started().map(event -> event.getTestDescriptor().getDisplayName())).contains("seed 1", "seed 7");
+        assertThat(results.testEvents().started().map(event -> event.getTestDescriptor().getDisplayName()))
+                .contains("seed 1", "seed 7");
     }
 
     @Test void aFailingTestTellsOutcomeTimeSeedFolderAndReplay() {
         Throwable failure = failure("failsWhileRunning");
         assertThat(failure).isInstanceOf(AssertionError.class).hasMessageContaining("nothing of the kind");
         Path trace = tests.runs().resolve("cases.RunCases.failsWhileRunning");
-        assertThat(failure.getSuppressed()).singleElement().hasToString("simulation of explorer.Explorer in pen with educator\n"
+        assertThat(failure.getSuppressed()).singleElement()
+                .hasToString("simulation of explorer.Explorer in pen with educator\n"
                 + "  outcome  still running after 1.5 simulated seconds, seed 5\n"
                 + "  trace    " + trace + "\n"
                 + "  replay   brickless replay " + trace);
@@ -70,27 +75,32 @@ class SimulatedTest {
 
     @Test void everyRunHasItsOwnFolder() throws IOException {
         try (Stream<Path> folders = Files.list(tests.runs())) {
-            assertThat(new TreeSet<>(folders.map(path -> path.getFileName().toString()).toList())).contains("cases.RunCases.severalRuns",
+            assertThat(new TreeSet<>(folders.map(path -> path.getFileName().toString()).toList()))
+                    .contains("cases.RunCases.severalRuns",
                     "cases.RunCases.severalRuns-2", "cases.RunCases.inlineWorld");
         }
         try (Stream<Path> files = Files.walk(tests.runs())) {
-            assertThat(files.filter(file -> file.toString().endsWith(".part"))).as("files of runs that were not finished").isEmpty();
+            assertThat(files.filter(file -> file.toString().endsWith(".part")))
+                    .as("files of runs that were not finished").isEmpty();
         }
     }
 
     @Test void anExpectationInVainTellsTimeAndValue() {
-        assertThat(failure("expectsInVain").getMessage()).matches("(?s)\\nExpecting x in metres\\n  eventually: be beyond 1\\.9\\n"
+        assertThat(failure("expectsInVain").getMessage())
+                .matches("(?s)\\nExpecting x in metres\\n  eventually: be beyond 1\\.9\\n"
                 + "  within 2 simulated seconds from 0 s on\\nbut at 2 simulated seconds it was\\n  \\d\\.\\d+\\n"
                 + "seen on the way: smallest 0\\.3\\d* at 0 s, largest \\d\\.\\d+ at [\\d.]+ s");
     }
 
     @Test void anExpectationThatBreaksTellsWhen() {
-        assertThat(failure("expectsAlways").getMessage()).matches("(?s)\\nExpecting way in metres\\n  always: stay below 0\\.3\\n"
+        assertThat(failure("expectsAlways").getMessage())
+                .matches("(?s)\\nExpecting way in metres\\n  always: stay below 0\\.3\\n"
                 + "but at \\d\\.\\d+ simulated seconds it was\\n  0\\.30\\d*\\n.*");
     }
 
     @Test void whatNeverMayHappenIsToldWhenItDoes() {
-        assertThat(failure("expectsNever").getMessage()).matches("(?s)\\nExpecting the run\\n  never: turns away from a wall\\n"
+        assertThat(failure("expectsNever").getMessage())
+                .matches("(?s)\\nExpecting the run\\n  never: turns away from a wall\\n"
                 + "  within 20 simulated seconds from 0 s on\\nbut at \\d+(\\.\\d+)? simulated seconds it did");
     }
 

@@ -33,8 +33,10 @@ class ProgramFinderTest {
 
     @Test void theMainClassOfASourceIsItsOwnEvenBesideOthers() throws Exception {
         Files.createDirectories(folder.resolve("src/a/b"));
-        Files.writeString(folder.resolve("src/a/b/Two.java"), "package a.b; public class Two { public static void main(String[] a) { One.main(a); } }");
-        Files.writeString(folder.resolve("src/a/b/One.java"), "package a.b; public class One { public static void main(String[] a) { } }");
+        Files.writeString(folder.resolve("src/a/b/Two.java"),
+                "package a.b; public class Two { public static void main(String[] a) { One.main(a); } }");
+        Files.writeString(folder.resolve("src/a/b/One.java"),
+                "package a.b; public class One { public static void main(String[] a) { } }");
         try (Program program = find("src/a/b/Two.java")) {
             assertThat(program.mainClass()).isEqualTo("a.b.Two");
             assertThat(program.simpleName()).isEqualTo("Two");

@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 class BehaviourChangesTest {
     private static final long MILLI = 1_000_000;
     private final List<String> written = new ArrayList<>();
-    private final BehaviourChanges changes = new BehaviourChanges((time, behaviour) -> written.add(time / MILLI + ":" + behaviour));
+    private final BehaviourChanges changes = new BehaviourChanges((time, behaviour) -> written.add(time / MILLI + ":"
+            + behaviour));
 
     @Test void everyOtherBehaviourIsWrittenAtOnce() {
         changes.set(1 * MILLI, 0);

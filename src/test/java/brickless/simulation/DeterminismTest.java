@@ -43,7 +43,8 @@ class DeterminismTest {
     }
 
     private static SimulationSettings.Builder settings(String main) throws DescriptionException {
-        return ExamplePrograms.settings(ExamplePrograms.worldOf(main)).limit(Duration.ofSeconds(SECONDS)).backend(BackendChoice.THREADS);
+        return ExamplePrograms.settings(ExamplePrograms.worldOf(main)).limit(Duration.ofSeconds(SECONDS))
+                .backend(BackendChoice.THREADS);
     }
 
     private static String hash(String main, SimulationSettings.Builder settings) {
@@ -64,14 +65,16 @@ class DeterminismTest {
         assertThat(hash(main, settings(main).seed(2))).isNotEqualTo(HASHES.get(main));
     }
 
-    @ParameterizedTest @MethodSource("mains") void theOtherBackendIsTheSameRun(String main) throws DescriptionException {
+    @ParameterizedTest @MethodSource("mains") void theOtherBackendIsTheSameRun(String main)
+            throws DescriptionException {
         SimulationSettings.Builder settings = settings(main).backend(BackendChoice.CONTINUATIONS);
         if (BackendChoice.continuationsAvailable()) {
             RunReport report = run(main, settings);
             assertThat(report.backend()).isEqualTo("continuation");
             assertThat(report.traceHash()).isEqualTo(HASHES.get(main));
         } else {
-            assertThatThrownBy(() -> run(main, settings)).isInstanceOf(SetupException.class).hasMessageContaining("needs JDK 21");
+            assertThatThrownBy(() -> run(main, settings)).isInstanceOf(SetupException.class)
+                    .hasMessageContaining("needs JDK 21");
         }
     }
 
@@ -98,7 +101,8 @@ class DeterminismTest {
 
     private static RunReport scheduled(long scheduleSeed) throws DescriptionException {
         String main = "sensorthreads.SensorThreads";
-        return run(main, settings(main).backend(BackendChoice.AUTO).limit(Duration.ofSeconds(1)).scheduleSeed(OptionalLong.of(scheduleSeed)));
+        return run(main, settings(main).backend(BackendChoice.AUTO).limit(Duration.ofSeconds(1))
+                .scheduleSeed(OptionalLong.of(scheduleSeed)));
     }
 
     @Test void manyRunsAtTheSameTimeAreTheSameAsOneByOne() throws Exception {
@@ -107,7 +111,8 @@ class DeterminismTest {
             Map<String, List<Future<String>>> running = new TreeMap<>();
             for (int round = 0; round < 2; round++) {
                 for (String main : ExamplePrograms.MAINS) {
-                    running.computeIfAbsent(main, m -> new ArrayList<>()).add(pool.submit(() -> hash(main, settings(main))));
+                    running.computeIfAbsent(main, m -> new ArrayList<>())
+                            .add(pool.submit(() -> hash(main, settings(main))));
                 }
             }
             for (Map.Entry<String, List<Future<String>>> each : running.entrySet()) {

@@ -16,7 +16,8 @@ import java.util.regex.Pattern;
 /** The programs of {@code sim/programs}, compiled once for a class of tests, and the traces of their runs. */
 final class ExamplePrograms implements AutoCloseable {
     /** Main classes, in alphabetical order. */
-    static final List<String> MAINS = List.of("bumper.BumperCar", "busywait.BusyWait", "explorer.Explorer", "linefollower.LineFollower",
+    static final List<String> MAINS = List.of("bumper.BumperCar", "busywait.BusyWait", "explorer.Explorer",
+            "linefollower.LineFollower",
             "sensorthreads.SensorThreads", "square.Square", "wallstop.WallStop", "wanderer.Wanderer");
 
     private final Program compiled;
@@ -68,7 +69,8 @@ final class ExamplePrograms implements AutoCloseable {
         /** A numeric field of each line of a type; of samples, the first robot's. */
         double[] numbers(String type, String field) {
             Pattern number = Pattern.compile("\"" + field + "\":(-?[\\d.]+)");
-            return of(type).stream().map(number::matcher).filter(Matcher::find).mapToDouble(found -> Double.parseDouble(found.group(1))).toArray();
+            return of(type).stream().map(number::matcher).filter(Matcher::find)
+                    .mapToDouble(found -> Double.parseDouble(found.group(1))).toArray();
         }
     }
 }

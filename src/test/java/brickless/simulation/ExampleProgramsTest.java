@@ -35,7 +35,8 @@ class ExampleProgramsTest {
     }
 
     private Run run(String main, SimulationSettings.Builder settings, int seconds) {
-        Run run = new Simulation(settings.limit(Duration.ofSeconds(seconds)).out(Optional.of(folder)).build()).start(programs.program(main));
+        Run run = new Simulation(settings.limit(Duration.ofSeconds(seconds)).out(Optional.of(folder)).build())
+                .start(programs.program(main));
         run.toEnd();
         return run;
     }
@@ -49,17 +50,21 @@ class ExampleProgramsTest {
     }
 
     private static World world(String content) throws DescriptionException {
-        return SvgWorldReader.readText("test.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4000 2000'>" + content + "</svg>");
+        return SvgWorldReader.readText("test.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4000 2000'>"
+                + content + "</svg>");
     }
 
     private void staysInThePen(Trace trace) {
-        assertThat(Arrays.stream(trace.numbers("sample", "x")).allMatch(x -> x > 0.03 && x < 1.97)).as("x of all samples inside").isTrue();
-        assertThat(Arrays.stream(trace.numbers("sample", "y")).allMatch(y -> y > 0.03 && y < 1.47)).as("y of all samples inside").isTrue();
+        assertThat(Arrays.stream(trace.numbers("sample", "x")).allMatch(x -> x > 0.03 && x < 1.97))
+                .as("x of all samples inside").isTrue();
+        assertThat(Arrays.stream(trace.numbers("sample", "y")).allMatch(y -> y > 0.03 && y < 1.47))
+                .as("y of all samples inside").isTrue();
     }
 
     /** Times at which behaviours became active, as "number" strings in order, none left out. */
     private static List<Integer> active(Trace trace) {
-        return Arrays.stream(trace.numbers("active", "behaviour")).mapToObj(number -> (int) number).filter(number -> number >= 0).toList();
+        return Arrays.stream(trace.numbers("active", "behaviour")).mapToObj(number -> (int) number)
+                .filter(number -> number >= 0).toList();
     }
 
     @Test void theExplorerCruisesAvoidsAndBacksOff() throws DescriptionException {
@@ -69,18 +74,21 @@ class ExampleProgramsTest {
         Trace trace = Trace.in(folder);
         staysInThePen(trace);
         assertThat(trace.of("arbitrator")).singleElement().asString()
-                .contains("[\"explorer.Cruise\",\"explorer.AvoidWall\",\"explorer.PauseOnGreen\",\"explorer.BackOff\",\"explorer.Quit\"]");
+                .contains("[\"explorer.Cruise\",\"explorer.AvoidWall\",\"explorer.PauseOnGreen\","
+                        + "\"explorer.BackOff\",\"explorer.Quit\"]");
         List<Integer> active = active(trace);
         assertThat(active.get(0)).as("cruises first").isZero();
         assertThat(active).contains(1, 3).doesNotContain(4);
-        assertThat(trace.of("wants")).as("somebody asks before each change").hasSizeGreaterThanOrEqualTo(active.size() / 2);
+        assertThat(trace.of("wants")).as("somebody asks before each change")
+                .hasSizeGreaterThanOrEqualTo(active.size() / 2);
         assertThat(run.robot().screenText()).contains("Explorer").contains("Walls ").contains("Bumps ");
         assertThat(run.collisions()).isPositive();
         assertThat(run.robot().printedLines()).containsExactly("Arbitrator created");
     }
 
     @Test void theExplorerPausesOnGreen() throws DescriptionException {
-        World green = world("<rect x='1000' y='0' width='400' height='2000' fill='#2f9e57'/><g data-robot='robot' transform='translate(500 1000)'/>");
+        World green = world("<rect x='1000' y='0' width='400' height='2000' fill='#2f9e57'/><g data-robot='robot' "
+                + "transform='translate(500 1000)'/>");
         Run run = run("explorer.Explorer", SimulationSettings.builder(green).robot(educator()), 12);
         Trace trace = Trace.in(folder);
         assertThat(active(trace)).contains(2);
@@ -94,12 +102,15 @@ class ExampleProgramsTest {
     }
 
     @Test void escapeEndsTheExplorer() throws DescriptionException {
-        Run run = run("explorer.Explorer", ExamplePrograms.settings("pen").stimuli(stimuli("6s press ESCAPE 500ms")), 30);
-        assertThat(run.outcome()).isEqualTo(new Outcome("exited", Optional.of(0), run.outcome().timeNanos(), Optional.empty()));
+        Run run = run("explorer.Explorer", ExamplePrograms.settings("pen").stimuli(stimuli("6s press ESCAPE 500ms")),
+                30);
+        assertThat(run.outcome()).isEqualTo(new Outcome("exited", Optional.of(0), run.outcome().timeNanos(),
+                Optional.empty()));
         assertThat(run.time()).isBetween(Duration.ofSeconds(6), Duration.ofMillis(8500));
         Trace trace = Trace.in(folder);
         assertThat(active(trace)).endsWith(4);
-        assertThat(trace.of("key")).first().asString().contains("\"key\":\"ESCAPE\",\"down\":true,\"cause\":\"stimulus\"");
+        assertThat(trace.of("key")).first().asString()
+                .contains("\"key\":\"ESCAPE\",\"down\":true,\"cause\":\"stimulus\"");
         assertThat(run.robot().ledPattern()).isZero();
     }
 
@@ -110,13 +121,15 @@ class ExampleProgramsTest {
         Trace trace = Trace.in(folder);
         staysInThePen(trace);
         assertThat(trace.of("key")).first().asString().contains("\"key\":\"ENTER\",\"down\":true,\"cause\":\"auto\"");
-        assertThat(run.report().notes()).anyMatch(note -> note.contains("keys pressed for the program while it waited: 1"));
+        assertThat(run.report().notes()).anyMatch(note ->
+                note.contains("keys pressed for the program while it waited: 1"));
         assertThat(active(trace)).startsWith(0, 1, 0).doesNotContain(2);
         assertThat(run.robot().distanceMetres()).isGreaterThan(2);
     }
 
     @Test void aKeyEndsTheBumperCarWhileItIsAsked() throws DescriptionException {
-        Run run = run("bumper.BumperCar", ExamplePrograms.settings("pen").stimuli(stimuli("500ms press ENTER 200ms\n5s press LEFT 1500ms")), 20);
+        Run run = run("bumper.BumperCar", ExamplePrograms.settings("pen")
+                .stimuli(stimuli("500ms press ENTER 200ms\n5s press LEFT 1500ms")), 20);
         assertThat(run.outcome().kind()).isEqualTo("exited");
         assertThat(run.time()).isBetween(Duration.ofSeconds(5), Duration.ofSeconds(7));
         assertThat(Trace.in(folder).of("key").toString()).doesNotContain("\"auto\"");
@@ -135,12 +148,15 @@ class ExampleProgramsTest {
     @Test void busyWaitingComesBackToTheStart() throws DescriptionException {
         Run run = run("busywait.BusyWait", 20);
         assertThat(run.outcome().exitStatus()).contains(0);
-        assertThat(run.time()).as("four turns of the wheels at a turn per second").isBetween(Duration.ofSeconds(4), Duration.ofSeconds(6));
+        assertThat(run.time()).as("four turns of the wheels at a turn per second").isBetween(Duration.ofSeconds(4),
+                Duration.ofSeconds(6));
         String[] counts = run.robot().printedLines().get(0).split(" ");
         assertThat(Integer.parseInt(counts[0])).isCloseTo(0, within(3));
         assertThat(Integer.parseInt(counts[1])).isCloseTo(0, within(3));
-        assertThat(run.robot().screenText()).containsPattern("yielding: 7[12]\\d\\s").containsPattern("spinning: -?\\d");
-        assertThat(run.robot().distanceMetres()).as("two turns of 56 mm tyres there and back").isCloseTo(4 * Math.PI * 0.056, within(0.03));
+        assertThat(run.robot().screenText()).containsPattern("yielding: 7[12]\\d\\s")
+                .containsPattern("spinning: -?\\d");
+        assertThat(run.robot().distanceMetres()).as("two turns of 56 mm tyres there and back")
+                .isCloseTo(4 * Math.PI * 0.056, within(0.03));
         assertThat(run.robot().xMetres()).isCloseTo(0.33, within(0.01));
     }
 
@@ -179,7 +195,8 @@ class ExampleProgramsTest {
         Run run = run("linefollower.LineFollower", 90);
         assertThat(run.outcome().kind()).isEqualTo("time-limit");
         Trace trace = Trace.in(folder);
-        assertThat(trace.of("zone").stream().filter(line -> line.contains("\"entered\":true"))).as("laps begun").hasSizeGreaterThanOrEqualTo(2);
+        assertThat(trace.of("zone").stream().filter(line -> line.contains("\"entered\":true"))).as("laps begun")
+                .hasSizeGreaterThanOrEqualTo(2);
         assertThat(run.robot().distanceMetres()).isGreaterThan(7);
     }
 }

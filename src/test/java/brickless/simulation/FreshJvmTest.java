@@ -32,7 +32,8 @@ class FreshJvmTest {
 
     @BeforeAll static void runHere() throws ProgramException, DescriptionException {
         programs = ExamplePrograms.compiled();
-        Run run = new Simulation(ExamplePrograms.settings("pen").limit(Duration.ofSeconds(6)).build()).start(programs.program(MAIN));
+        Run run = new Simulation(ExamplePrograms.settings("pen").limit(Duration.ofSeconds(6)).build())
+                .start(programs.program(MAIN));
         run.toEnd();
         here = run.report().traceHash();
     }
@@ -50,11 +51,14 @@ class FreshJvmTest {
                 found.filter(home -> !Files.isSymbolicLink(home)).sorted().forEach(homes::add);
             }
         }
-        System.getenv().entrySet().stream().filter(entry -> entry.getKey().matches("(JDK_?HOME|JAVA_?HOME)_?\\w*|BRICKLESS_JAVA_HOME")).sorted(java.util.Map.Entry.comparingByKey())
+        System.getenv().entrySet().stream().filter(entry -> entry.getKey()
+                .matches("(JDK_?HOME|JAVA_?HOME)_?\\w*|BRICKLESS_JAVA_HOME"))
+                .sorted(java.util.Map.Entry.comparingByKey())
                 .forEach(entry -> homes.add(Path.of(entry.getValue())));
         List<Path> usable = new ArrayList<>();
         for (Path home : homes) {
-            if (usable.size() < 3 && Files.isExecutable(home.resolve("bin/java")) && version(home) >= 17 && usable.stream().noneMatch(other -> same(other, home))) {
+            if (usable.size() < 3 && Files.isExecutable(home.resolve("bin/java")) && version(home) >= 17
+                    && usable.stream().noneMatch(other -> same(other, home))) {
                 usable.add(home);
             }
         }
@@ -71,7 +75,8 @@ class FreshJvmTest {
 
     private static int version(Path home) throws IOException {
         Path release = home.resolve("release");
-        Matcher version = Pattern.compile("JAVA_VERSION=\"(\\d+)").matcher(Files.exists(release) ? Files.readString(release) : "");
+        Matcher version = Pattern.compile("JAVA_VERSION=\"(\\d+)").matcher(Files.exists(release)
+                ? Files.readString(release) : "");
         return version.find() ? Integer.parseInt(version.group(1)) : 0;
     }
 
@@ -79,11 +84,14 @@ class FreshJvmTest {
         List<String> command = new ArrayList<>(List.of(home.resolve("bin/java").toString(), "-Djava.awt.headless=true",
                 "--add-exports=java.base/jdk.internal.vm=ALL-UNNAMED", "--add-opens=java.base/java.lang=ALL-UNNAMED"));
         command.addAll(List.of(vmOptions));
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), "brickless.cli.Main", "run", MAIN, "--classpath",
-                programs.program(MAIN).classPath().get(0).toString(), "--robot", "educator", "--for", "6s", "--json", "--out",
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), "brickless.cli.Main", "run", MAIN,
+                "--classpath",
+                programs.program(MAIN).classPath().get(0).toString(), "--robot", "educator", "--for", "6s", "--json",
+                "--out",
                 folder.resolve("out").toString()));
         Path out = folder.resolve("out.txt");
-        Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(out.toFile()).directory(folder.toFile()).start();
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(out.toFile())
+                .directory(folder.toFile()).start();
         assertThat(process.waitFor(120, TimeUnit.SECONDS)).as("ended in time").isTrue();
         String text = Files.readString(out, StandardCharsets.UTF_8);
         Matcher hash = HASH.matcher(text);
@@ -98,8 +106,10 @@ class FreshJvmTest {
     }
 
     @Test void hostSettingsDoNotEnterTheRun() throws Exception {
-        assertThat(hashIn(jdks().get(0), "-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu", "-Dfile.encoding=ISO-8859-1",
-                "-Dline.separator=\r\n", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:ActiveProcessorCount=1")).isEqualTo(here);
+        assertThat(hashIn(jdks().get(0), "-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu",
+                "-Dfile.encoding=ISO-8859-1",
+                "-Dline.separator=\r\n", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:ActiveProcessorCount=1"))
+                .isEqualTo(here);
     }
 
     @Test void busyProcessorsDoNotEnterTheRun() throws Exception {

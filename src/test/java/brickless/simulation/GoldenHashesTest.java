@@ -13,8 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /**
- * The example programs run today as they ran when {@code hashes.txt} was written: on this machine, JDK and back-end as on any other. A change of
- * behaviour that is meant refreshes the file with {@code ./gradlew test -PupdateGolden}.
+ * The example programs run today as they ran when {@code hashes.txt} was written: on this machine, JDK and back-end as
+ * on any other. A change of behaviour that is meant refreshes the file with {@code ./gradlew test -PupdateGolden}.
  */
 class GoldenHashesTest {
     private static final Path FILE = Path.of("src", "test", "resources", "brickless", "golden", "hashes.txt");
@@ -35,7 +35,8 @@ class GoldenHashesTest {
         try (ExamplePrograms programs = ExamplePrograms.compiled()) {
             for (String main : ExamplePrograms.MAINS) {
                 String world = ExamplePrograms.worldOf(main);
-                Run run = new Simulation(ExamplePrograms.settings(world).limit(Duration.ofSeconds(SECONDS)).build()).start(programs.program(main));
+                Run run = new Simulation(ExamplePrograms.settings(world).limit(Duration.ofSeconds(SECONDS)).build())
+                        .start(programs.program(main));
                 run.toEnd();
                 lines.add(main + " " + world + " " + run.report().seed() + " " + run.report().traceHash());
             }

@@ -9,23 +9,26 @@ import brickless.world.svg.SvgWorldReader;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import programs.passing.sensors.DistanceWatch;
-import programs.passing.sensors.KeyWatch;
-import programs.passing.sensors.RemoteWatch;
-import programs.passing.sensors.SoundWatch;
-import programs.passing.sensors.TouchWatch;
-import programs.passing.sensors.VoltageWatch;
+import programs.robots.DistanceWatch;
+import programs.robots.KeyWatch;
+import programs.robots.RemoteWatch;
+import programs.robots.SoundWatch;
+import programs.robots.TouchWatch;
+import programs.robots.VoltageWatch;
 
 /** Every kind of stimulus reaches the program. */
 class StimuliTest {
     private static final String WORLD = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4000 1000'>"
-            + "<rect id='near' data-solid='movable' data-mass-kg='2' data-height-mm='200' x='1000' y='300' width='100' height='400'/>"
+            + "<rect id='near' data-solid='movable' data-mass-kg='2' data-height-mm='200' x='1000' y='300' "
+            + "width='100' height='400'/>"
             + "<rect id='far' data-solid='fixed' data-height-mm='200' x='2000' y='0' width='100' height='1000'/>"
             + "<g data-robot='robot' transform='translate(500 500)'/></svg>";
 
     private static Run run(Class<?> program, String... stimuli) throws DescriptionException {
-        Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).ideal(true).pressButtons(false)
-                .limit(Duration.ofSeconds(15)).stimuli(StimuliReader.readText("stimuli", String.join("\n", stimuli))).build()).start(program);
+        Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).ideal(true)
+                .pressButtons(false)
+                .limit(Duration.ofSeconds(15)).stimuli(StimuliReader.readText("stimuli", String.join("\n", stimuli)))
+                .build()).start(program);
         run.toEnd();
         assertThat(run.outcome().kind()).isEqualTo("exited");
         return run;
@@ -46,7 +49,8 @@ class StimuliTest {
     }
 
     @Test void remoteSendsOnItsChannelOnly() throws DescriptionException {
-        assertThat(printed(RemoteWatch.class, "2s remote 1 TOP_RIGHT 500ms", "3s remote 2 TOP_LEFT 500ms", "4s remote 2 BEACON 300ms"))
+        assertThat(printed(RemoteWatch.class, "2s remote 1 TOP_RIGHT 500ms", "3s remote 2 TOP_LEFT 500ms",
+                "4s remote 2 BEACON 300ms"))
                 .containsExactly("command 1", "command 0", "command 9", "command 0");
     }
 
@@ -69,7 +73,8 @@ class StimuliTest {
 
     @Test void moveMovesAnObstacle() throws DescriptionException {
         List<String> centimetres = printed(DistanceWatch.class, "1500ms move near 1250,500 0");
-        assertThat(Integer.parseInt(centimetres.get(3))).as("the middle of the box was at 1050").isCloseTo(Integer.parseInt(centimetres.get(0)) + 20,
+        assertThat(Integer.parseInt(centimetres.get(3))).as("the middle of the box was at 1050")
+                .isCloseTo(Integer.parseInt(centimetres.get(0)) + 20,
                 within(2));
     }
 
@@ -82,7 +87,8 @@ class StimuliTest {
     }
 
     @Test void keysPressedFromATestArrive() throws DescriptionException {
-        Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).pressButtons(false).build()).start(KeyWatch.class);
+        Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD))
+                .pressButtons(false).build()).start(KeyWatch.class);
         for (String key : new String[] {"RIGHT", "ESCAPE", "down"}) {
             run.advance(Duration.ofSeconds(1));
             run.press(key);
@@ -93,11 +99,14 @@ class StimuliTest {
     }
 
     @Test void aStimulusForNothingIsRefusedWhereItIsGiven() throws DescriptionException {
-        try (Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).build()).start(KeyWatch.class)) {
+        try (Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).build())
+                .start(KeyWatch.class)) {
             run.advance(Duration.ofSeconds(1));
             Stimulus remove = StimuliReader.readText("stimuli", "2s remove piano").get(0);
-            assertThatThrownBy(() -> run.stimulate(remove)).isInstanceOf(SetupException.class).hasMessageContaining("piano").hasMessageContaining("near");
-            assertThatThrownBy(() -> run.press("SPACE")).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("ENTER");
+            assertThatThrownBy(() -> run.stimulate(remove)).isInstanceOf(SetupException.class)
+                    .hasMessageContaining("piano").hasMessageContaining("near");
+            assertThatThrownBy(() -> run.press("SPACE")).isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("ENTER");
         }
     }
 }

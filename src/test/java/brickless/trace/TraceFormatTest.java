@@ -36,7 +36,8 @@ class TraceFormatTest {
         Map<String, Set<String>> kinds = new TreeMap<>();
         Set<String> fields = new TreeSet<>();
         boolean table = false;
-        for (String line : Files.readAllLines(Path.of(System.getProperty("brickless.home"), "sim", "docs", "TRACE.md"))) {
+        for (String line : Files.readAllLines(Path.of(System.getProperty("brickless.home"), "sim", "docs",
+                "TRACE.md"))) {
             Matcher heading = Pattern.compile("## `(\\w+)`").matcher(line);
             Matcher row = Pattern.compile("\\| `([\\w.]+)` \\|.*").matcher(line);
             if (heading.matches()) {
@@ -54,7 +55,8 @@ class TraceFormatTest {
 
     private static Map<String, Set<String>> written() throws IOException, ReflectiveOperationException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        TraceWriter writer = new TraceWriter(out, new TraceHeader("Main", "pen", List.of("educator"), 1, -1, false, 2_000_000, 50_000_000));
+        TraceWriter writer = new TraceWriter(out, new TraceHeader("Main", "pen", List.of("educator"), 1, -1, false,
+                2_000_000, 50_000_000));
         Pose2 pose = new Pose2(1, 2, 3);
         RobotSample robot = new RobotSample("robot", pose, List.of(new RobotSample.MotorSample('A', 1, 2, 3, 4)),
                 List.of(new RobotSample.SensorSample(1, "ev3-touch", new double[] {1})), 8);
@@ -82,7 +84,8 @@ class TraceFormatTest {
     }
 
     private static Object instance(Class<?> type) throws ReflectiveOperationException {
-        Class<?>[] types = Arrays.stream(type.getRecordComponents()).map(RecordComponent::getType).toArray(Class<?>[]::new);
+        Class<?>[] types = Arrays.stream(type.getRecordComponents()).map(RecordComponent::getType)
+                .toArray(Class<?>[]::new);
         Object[] values = Arrays.stream(types).map(TraceFormatTest::anyValue).toArray();
         return type.getDeclaredConstructor(types).newInstance(values);
     }

@@ -13,7 +13,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.platform.commons.support.AnnotationSupport;
 import org.junit.platform.commons.support.HierarchyTraversalMode;
 
-/** Calls a test inside the robot: constructor, {@code @BeforeEach} methods, test, {@code @AfterEach} methods; then ends the program. */
+/**
+ * Calls a test inside the robot: constructor, {@code @BeforeEach} methods, test, {@code @AfterEach} methods; then ends
+ * the program.
+ */
 public final class TestCall implements Runnable {
     private final String type;
     private final String method;
@@ -94,7 +97,8 @@ public final class TestCall implements Runnable {
         for (Method each : AnnotationSupport.findAnnotatedMethods(instance.getClass(), annotation, order)) {
             each.setAccessible(true);
             if (each.getParameterCount() > 0) {
-                throw new IllegalArgumentException(each.getName() + ": methods around a test @OnTheBrick have no parameters");
+                throw new IllegalArgumentException(each.getName()
+                        + ": methods around a test @OnTheBrick have no parameters");
             }
             each.invoke(instance);
         }
@@ -106,10 +110,12 @@ public final class TestCall implements Runnable {
         List<Object> instances = nested ? instances(test.getDeclaringClass()) : new ArrayList<>();
         Constructor<?> constructor = test.getDeclaredConstructors()[0];
         if (constructor.getParameterCount() != (nested ? 1 : 0)) {
-            throw new IllegalArgumentException(test.getName() + ": a class with tests @OnTheBrick has one constructor, without parameters");
+            throw new IllegalArgumentException(test.getName()
+                    + ": a class with tests @OnTheBrick has one constructor, without parameters");
         }
         constructor.setAccessible(true);
-        instances.add(nested ? constructor.newInstance(instances.get(instances.size() - 1)) : constructor.newInstance());
+        instances.add(nested ? constructor.newInstance(instances.get(instances.size() - 1))
+                : constructor.newInstance());
         return instances;
     }
 

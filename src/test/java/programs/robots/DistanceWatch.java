@@ -1,4 +1,4 @@
-package programs.passing.sensors;
+package programs.robots;
 
 import lejos.hardware.port.SensorPort;
 import lejos.hardware.sensor.EV3UltrasonicSensor;

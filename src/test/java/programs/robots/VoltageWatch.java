@@ -1,4 +1,4 @@
-package programs.passing.sensors;
+package programs.robots;
 
 import lejos.hardware.Battery;
 import lejos.utility.Delay;
