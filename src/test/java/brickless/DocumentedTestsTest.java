@@ -34,7 +34,8 @@ class DocumentedTestsTest {
                 if (type != null) {
                     named++;
                     String method = name[name.length - 1];
-                    boolean found = sources.containsKey(type) && (method.equals(type) || sources.get(type).contains(" " + method + "("));
+                    boolean found = sources.containsKey(type) && (method.equals(type) || sources.get(type)
+                            .contains(" " + method + "("));
                     if (!found) {
                         missing.add(type + "." + method);
                     }

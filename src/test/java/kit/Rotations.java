@@ -32,7 +32,8 @@ public final class Rotations {
         int before = MOTOR.getTachoCount();
         Stopwatch watch = new Stopwatch();
         MOTOR.rotate(angle);
-        System.out.println(name + " " + watch.elapsed() + " " + (MOTOR.getTachoCount() - before) + " " + MOTOR.isMoving());
+        System.out.println(name + " " + watch.elapsed() + " " + (MOTOR.getTachoCount() - before) + " "
+                + MOTOR.isMoving());
     }
 
     private static void drift() {
@@ -53,7 +54,8 @@ public final class Rotations {
         int before = MOTOR.getTachoCount();
         Stopwatch watch = new Stopwatch();
         MOTOR.stop();
-        System.out.println("stop " + watch.elapsed() + " " + (MOTOR.getTachoCount() - before) + " " + MOTOR.getRotationSpeed());
+        System.out.println("stop " + watch.elapsed() + " " + (MOTOR.getTachoCount() - before) + " "
+                + MOTOR.getRotationSpeed());
         watch.reset();
         MOTOR.stop();
         MOTOR.flt();

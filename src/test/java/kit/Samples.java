@@ -26,7 +26,10 @@ final class Samples {
         System.out.println(line);
     }
 
-    /** Polls without pause for a second: number of reads, number of changes, shortest time between changes in milliseconds. */
+    /**
+     * Polls without pause for a second: number of reads, number of changes, shortest time between changes in
+     * milliseconds.
+     */
     static void updates(String name, SampleProvider source) {
         float[] sample = new float[source.sampleSize()];
         long end = System.currentTimeMillis() + 1000;

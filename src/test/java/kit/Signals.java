@@ -51,7 +51,8 @@ public final class Signals {
         int length = (int) (RATE * seconds);
         ByteBuffer header = ByteBuffer.allocate(44).order(ByteOrder.LITTLE_ENDIAN);
         header.put(ascii("RIFF")).putInt(36 + length).put(ascii("WAVE")).put(ascii("fmt ")).putInt(16);
-        header.putShort((short) 1).putShort((short) 1).putInt(RATE).putInt(RATE).putShort((short) 1).putShort((short) 8);
+        header.putShort((short) 1).putShort((short) 1).putInt(RATE).putInt(RATE).putShort((short) 1)
+                .putShort((short) 8);
         header.put(ascii("data")).putInt(length);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.write(header.array());

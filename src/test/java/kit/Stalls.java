@@ -26,7 +26,8 @@ public final class Stalls implements RegulatedMotorListener {
     private static void push(EV3MediumRegulatedMotor claw, String name) {
         Stopwatch watch = new Stopwatch();
         claw.rotateTo(1000);
-        System.out.println(name + " " + watch.elapsed() + " " + claw.isStalled() + " " + claw.isMoving() + " " + claw.getTachoCount());
+        System.out.println(name + " " + watch.elapsed() + " " + claw.isStalled() + " " + claw.isMoving() + " "
+                + claw.getTachoCount());
     }
 
     @Override

@@ -27,7 +27,8 @@ public final class Volts {
     }
 
     private static void print(String name) {
-        System.out.println(name + " " + Battery.getVoltage() + " " + Battery.getVoltageMilliVolt() + " " + Battery.getBatteryCurrent() + " "
+        System.out.println(name + " " + Battery.getVoltage() + " " + Battery.getVoltageMilliVolt() + " "
+                + Battery.getBatteryCurrent() + " "
                 + Battery.getMotorCurrent());
     }
 }

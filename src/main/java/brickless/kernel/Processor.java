@@ -47,8 +47,8 @@ public interface Processor {
         boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException;
 
         /**
-         * Blocks the calling program thread while a condition holds, looking at it again after each {@link #raise()}; no raise between
-         * a look and the wait is lost. Interrupts are ignored and kept.
+         * Blocks the calling program thread while a condition holds, looking at it again after each {@link #raise()};
+         * no raise between a look and the wait is lost. Interrupts are ignored and kept.
          */
         default void awaitWhile(BooleanSupplier condition) {
             while (condition.getAsBoolean()) {

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Notes what a program opens on a drawn robot that is not plugged in there: leJOS notices neither a missing motor nor a missing analogue
- * sensor. Used by the running fibre only.
+ * Notes what a program opens on a drawn robot that is not plugged in there: leJOS notices neither a missing motor nor a
+ * missing analogue sensor. Used by the running fibre only.
  */
 final class PlugNotes implements MotorFitting, SensorFitting {
     private final List<String> notes = new ArrayList<>();
@@ -19,7 +19,8 @@ final class PlugNotes implements MotorFitting, SensorFitting {
         char port = (char) ('A' + device.port());
         if (device.type() == null && !lejosClass.equals(RunTimeFitting.READY_MADE)) {
             note("no motor is plugged into " + port + ", so the program's " + lejosClass + " there never turns");
-        } else if (device.type() != null && lejosClass.startsWith("EV3") && lejosClass.contains("Medium") != (device.type() == MotorType.MEDIUM)) {
+        } else if (device.type() != null && lejosClass.startsWith("EV3")
+                && lejosClass.contains("Medium") != (device.type() == MotorType.MEDIUM)) {
             note(port + " has " + device.connected() + " plugged in; the program uses it as " + lejosClass);
         }
     }

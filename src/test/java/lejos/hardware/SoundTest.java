@@ -78,6 +78,12 @@ class SoundTest {
     }
 
     @Test
+    void aNoteIsOneTone() {
+        assertThat(lasts(() -> Sound.playNote(Sound.PIANO, 440, 300))).isCloseTo(300, within(CALL_MS));
+        assertThat(bench.events()).containsExactly("tone 440 Hz 300 ms 80 %");
+    }
+
+    @Test
     void rawSamplesLastAsLongAsTheirRateSays() {
         assertThat(lasts(() -> assertThat(Sound.playSample(new byte[4000], 0, 4000, 8000, 100)).isEqualTo(4000)))
                 .isCloseTo(500, within(CALL_MS));

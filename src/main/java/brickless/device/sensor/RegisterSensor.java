@@ -2,7 +2,10 @@ package brickless.device.sensor;
 
 import brickless.hardware.SensorSocket.Wiring;
 
-/** A device on the I²C bus: bytes in numbered registers, where the first eight-byte texts tell version, maker and product. */
+/**
+ * A device on the I²C bus: bytes in numbered registers, where the first eight-byte texts tell version, maker and
+ * product.
+ */
 abstract class RegisterSensor extends SensorModel {
     private static final int DEVICE = 123;
     private static final int VERSION = 0x00;

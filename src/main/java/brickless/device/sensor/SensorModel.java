@@ -7,8 +7,8 @@ import brickless.world.SensorType;
 /**
  * A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step.
  *
- * <p>A new device is one class that extends {@link AnalogSensor}, {@link UartSensor} or {@link RegisterSensor}, named in {@link SensorType}
- * and in {@link #of}.
+ * <p>A new device is one class that extends {@link AnalogSensor}, {@link UartSensor} or {@link RegisterSensor}, named
+ * in {@link SensorType} and in {@link #of}.
  */
 abstract class SensorModel {
     private final SensorSite site;

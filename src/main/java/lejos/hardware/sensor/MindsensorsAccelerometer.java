@@ -4,8 +4,8 @@ import lejos.hardware.port.I2CPort;
 import lejos.hardware.port.Port;
 
 /**
- * Mindsensors acceleration sensor. Mode "Acceleration": metres per second squared along x, y and z; mode "Tilt": degrees
- * around the axes.
+ * Mindsensors acceleration sensor. Mode "Acceleration": metres per second squared along x, y and z; mode "Tilt":
+ * degrees around the axes.
  */
 public class MindsensorsAccelerometer extends I2CSensor {
     private static final int TILT = 0x42;

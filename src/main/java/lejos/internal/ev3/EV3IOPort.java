@@ -11,7 +11,8 @@ import lejos.hardware.sensor.EV3SensorConstants;
  */
 public abstract class EV3IOPort implements IOPort, BasicSensorPort, EV3SensorConstants {
     private static final String READY_MADE_MOTORS =
-            "; touching any of Motor.A to Motor.D opens all four motor ports, so use either those or motor objects of your own";
+            "; touching any of Motor.A to Motor.D opens all four motor ports, so use either those or motor objects "
+                    + "of your own";
     private static final EV3IOPort[][] OPEN = {new EV3IOPort[PORTS], new EV3IOPort[MOTORS]};
 
     /** 0 to 3; −1 when closed. */

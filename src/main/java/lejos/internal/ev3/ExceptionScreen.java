@@ -45,8 +45,8 @@ final class ExceptionScreen {
     }
 
     /**
-     * Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there nothing waits: it stays until the
-     * program draws or prints again, so that it is what a program that dies leaves on the screen.
+     * Shows the exception alone until ESCAPE is pressed; LEFT and RIGHT scroll. Without anybody there nothing waits: it
+     * stays until the program draws or prints again, so that it is what a program that dies leaves on the screen.
      */
     void show() {
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();

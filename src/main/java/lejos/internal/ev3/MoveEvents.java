@@ -11,7 +11,8 @@ import lejos.robotics.RegulatedMotorListener;
  * Reports the starts and ends of one motor's moves. Blended moves report nothing in between.
  *
  * <p>Every method needs the regulator's lock, and listeners are called under it: by the commanding thread, by a thread
- * that waited for the end of the move, or by a daemon that sleeps through the move and looks at most 5 ms after its end.
+ * that waited for the end of the move, or by a daemon that sleeps through the move and looks at most 5 ms after its
+ * end.
  */
 final class MoveEvents {
     private static final int LOOK_MILLIS = 5;

@@ -7,8 +7,8 @@ import lejos.hardware.lcd.LCD;
 import lejos.hardware.lcd.LCDOutputStream;
 
 /**
- * Duplicates what the program prints to the console and to the screen. It takes the time of drawing the text: a row of the screen about
- * half a millisecond, whether it is full or ended early.
+ * Duplicates what the program prints to the console and to the screen. It takes the time of drawing the text: a row of
+ * the screen about half a millisecond, whether it is full or ended early.
  */
 final class PrintedBytes extends OutputStream {
     private static final int COLUMNS = LCD.DISPLAY_CHAR_WIDTH;

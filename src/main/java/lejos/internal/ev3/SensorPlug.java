@@ -30,7 +30,8 @@ final class SensorPlug {
      */
     static String describe(String port, SensorSocket socket, String lejosClass, String user) {
         String plugged = socket.connected();
-        String found = plugged.equals(NOTHING) ? "nothing is plugged into " + port : port + " has " + plugged + " plugged in";
+        String found = plugged.equals(NOTHING) ? "nothing is plugged into " + port : port + " has " + plugged
+                + " plugged in";
         if (lejosClass == null) {
             return found;
         }

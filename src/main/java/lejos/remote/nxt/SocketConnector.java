@@ -6,7 +6,9 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import lejos.utility.Delay;
 
-/** Makes connections over the network, on port 8888. It waits in short naps, so that the clock of a simulation goes on. */
+/**
+ * Makes connections over the network, on port 8888. It waits in short naps, so that the clock of a simulation goes on.
+ */
 public class SocketConnector extends NXTCommConnector {
     private static final int PORT = 8888;
     private static final int POLL_MILLIS = 1;

@@ -9,7 +9,10 @@ import lejos.utility.Matrix;
  * @param able one column: how fast it may change, degrees per second squared
  */
 record VelocityRamp(Matrix change, Matrix able) {
-    /** Acceleration of a motor, at least 1. One whose speed seems right already may do what it can: it may be just about to move. */
+    /**
+     * Acceleration of a motor, at least 1. One whose speed seems right already may do what it can: perhaps it is about
+     * to move.
+     */
     int acceleration(int motor) {
         double share = Math.abs(change.get(motor, 0)) / seconds();
         double chosen = share >= 1 ? share : able.get(motor, 0);

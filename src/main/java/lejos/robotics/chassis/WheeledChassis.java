@@ -209,7 +209,8 @@ public class WheeledChassis implements Chassis {
         double radians = StrictMath.toRadians(direction);
         Matrix target = forward.times(toCartesianMatrix(linearSpeed, radians, angularSpeed));
         Matrix able = toCartesianMatrix(linearAcceleration, radians, angularAcceleration);
-        VelocityRamp ramp = new VelocityRamp(target.minus(getAttribute(ROTATIONSPEED)), forwardAbs.times(copyAbsolute(able)));
+        Matrix change = target.minus(getAttribute(ROTATIONSPEED));
+        VelocityRamp ramp = new VelocityRamp(change, forwardAbs.times(copyAbsolute(able)));
         master.startSynchronization();
         for (int i = 0; i < motor.length; i++) {
             double speed = target.get(i, 0);

@@ -12,8 +12,8 @@ import java.util.TreeMap;
 import lejos.utility.Delay;
 
 /**
- * Hears what samples are published on the network, on a daemon thread that starts with the first question. It listens in
- * short naps, so that the clock of a simulation goes on.
+ * Hears what samples are published on the network, on a daemon thread that starts with the first question. It listens
+ * in short naps, so that the clock of a simulation goes on.
  */
 final class Announcements {
     private static final int POLL_MILLIS = 1;

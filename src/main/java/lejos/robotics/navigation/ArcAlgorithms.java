@@ -44,7 +44,8 @@ public class ArcAlgorithms {
         double distance = center1.distance(center2);
         double widening = (double) radius2 - radius1;
         float line = (float) Math.sqrt(distance * distance - widening * widening);
-        float direction = (float) (center1.angleTo(center2) - StrictMath.toDegrees(StrictMath.asin(widening / distance)));
+        double apart = StrictMath.toDegrees(StrictMath.asin(widening / distance));
+        float direction = (float) (center1.angleTo(center2) - apart);
         Point leave = findPointOnHeading(center1, direction - QUARTER_TURN, radius1);
         Point meet = findPointOnHeading(center2, direction - QUARTER_TURN, radius2);
         float first = getArc(start.getLocation(), leave, radius1, start.getHeading(), true);

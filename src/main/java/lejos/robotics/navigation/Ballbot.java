@@ -4,8 +4,8 @@ import lejos.robotics.EncoderMotor;
 import lejos.robotics.Gyroscope;
 
 /**
- * A robot that balances on a ball. A virtual robot stands on a flat world without gravity and cannot: there is no way to
- * make one.
+ * A robot that balances on a ball. A virtual robot stands on a flat world without gravity and cannot: there is no way
+ * to make one.
  */
 public class Ballbot extends Thread {
     private static final String REASON = "a robot cannot balance on a ball: the simulated world has no third dimension";

@@ -147,7 +147,10 @@ public class CompassPilot extends DifferentialPilot {
     public void rotate(float angle, boolean immediateReturn) {
         _heading = normalize(_heading + angle);
         super.rotate((double) angle, immediateReturn);
-        for (int i = 0; !immediateReturn && i < MOST_CORRECTIONS && Math.abs(getHeadingError()) > ACCEPTED_DEGREES; i++) {
+        if (immediateReturn) {
+            return;
+        }
+        for (int i = 0; i < MOST_CORRECTIONS && Math.abs(getHeadingError()) > ACCEPTED_DEGREES; i++) {
             super.rotate((double) -getHeadingError(), false);
         }
     }

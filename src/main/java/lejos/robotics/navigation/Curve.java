@@ -11,8 +11,8 @@ package lejos.robotics.navigation;
  * @param outsideShare share of the acceleration that the outer motor is to use
  * @param insideShare share of the acceleration that the inner motor is to use
  */
-record Curve(DriveWheel outside, DriveWheel inside, double ratio, int outsideSpeed, int insideSpeed, double outsideShare,
-        double insideShare) {
+record Curve(DriveWheel outside, DriveWheel inside, double ratio, int outsideSpeed, int insideSpeed,
+        double outsideShare, double insideShare) {
     private static final double LEAST_SHARE = 0.1;
 
     /** The curve for a speed of the outer wheel; the motors' accelerations make both get there at the same time. */

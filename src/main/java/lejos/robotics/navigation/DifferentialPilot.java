@@ -10,9 +10,9 @@ import lejos.utility.Delay;
  * {@code arc(-20, 90)} turns to the left and so drives backward. In this {@link MovePilot} differs.
  *
  * <p>A move that begins while another is in progress stops that one first, except {@link #steer(double)}, {@link
- * #steerBackward} and arcs without end, which change the speeds of the wheels as they turn. Listeners hear of a start on
- * the thread that begins the move, before the motors turn, and of a stop on a thread of the pilot; a call that waits for
- * the end of a move returns when they have heard. A stalled motor ends the move. May be used by several threads.
+ * #steerBackward} and arcs without end, which change the speeds of the wheels as they turn. Listeners hear of a start
+ * on the thread that begins the move, before the motors turn, and of a stop on a thread of the pilot; a call that waits
+ * for the end of a move returns when they have heard. A stalled motor ends the move. May be used by several threads.
  *
  * @deprecated use {@link MovePilot}
  */
@@ -144,14 +144,18 @@ public class DifferentialPilot implements LineFollowingMoveController {
 
     @Override
     public void forward() {
-        end();
-        run(Move.MoveType.TRAVEL, Double.POSITIVE_INFINITY, 0, () -> wheels.driveStraight(linearSpeed, acceleration, 1));
+        driveStraight(1);
     }
 
     @Override
     public void backward() {
+        driveStraight(-1);
+    }
+
+    private void driveStraight(int direction) {
         end();
-        run(Move.MoveType.TRAVEL, Double.NEGATIVE_INFINITY, 0, () -> wheels.driveStraight(linearSpeed, acceleration, -1));
+        run(Move.MoveType.TRAVEL, direction * Double.POSITIVE_INFINITY, 0,
+                () -> wheels.driveStraight(linearSpeed, acceleration, direction));
     }
 
     /** {@inheritDoc} Turns with the speed that the motors were last set to. */
@@ -301,7 +305,8 @@ public class DifferentialPilot implements LineFollowingMoveController {
         double rate = clip(turnRate);
         double distance = direction * Double.POSITIVE_INFINITY;
         if (rate == 0) {
-            steerOn(Move.MoveType.TRAVEL, distance, 0, () -> wheels.driveStraight(linearSpeed, acceleration, direction));
+            steerOn(Move.MoveType.TRAVEL, distance, 0,
+                    () -> wheels.driveStraight(linearSpeed, acceleration, direction));
         } else {
             Curve curve = curve(rate, direction);
             double angle = rate > 0 ? distance : -distance;
@@ -415,7 +420,7 @@ public class DifferentialPilot implements LineFollowingMoveController {
         return new Move(type, (float) distance, (float) angle, (float) linearSpeed, (float) angularSpeed, false);
     }
 
-    /** For subclasses that command the motors themselves: ends the move in progress and tells listeners of a new one. */
+    /** For subclasses that command the motors themselves: ends the move in progress, and tells of a new one. */
     protected void movementStart() {
         end();
         watch.end(false);

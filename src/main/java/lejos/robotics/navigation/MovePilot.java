@@ -8,8 +8,8 @@ import lejos.robotics.chassis.WheeledChassis;
 /**
  * Drives a robot by its chassis.
  *
- * <p>Of an arc, <b>the sign of the angle says whether to drive forward</b> (positive) or backward, that of the radius to
- * which side: {@code arc(-20, 90)} drives forward to the right.
+ * <p>Of an arc, <b>the sign of the angle says whether to drive forward</b> (positive) or backward, that of the radius
+ * to which side: {@code arc(-20, 90)} drives forward to the right.
  *
  * <p>Speeds and accelerations take effect at the next move. A move that begins while another is in progress stops that
  * one first. Listeners hear of a start on the thread that begins the move, the motors turning already, and of a stop on
@@ -72,7 +72,8 @@ public class MovePilot implements ArcRotateMoveController {
         this.chassis = chassis;
         this.watch = new MoveWatch(this, new ChassisDrive(chassis));
         this.minRadius = chassis.getMinRadius();
-        setSpeeds(chassis.getMaxLinearSpeed() * DEFAULT_SPEED_SHARE, chassis.getMaxAngularSpeed() * DEFAULT_SPEED_SHARE);
+        double share = DEFAULT_SPEED_SHARE;
+        setSpeeds(share * chassis.getMaxLinearSpeed(), share * chassis.getMaxAngularSpeed());
         setAccelerations(linearSpeed * DEFAULT_ACCELERATION_PER_SPEED, angularSpeed * DEFAULT_ACCELERATION_PER_SPEED);
     }
 

@@ -199,7 +199,7 @@ final class MoveWatch {
                 await(() -> current != null && current.isUnderWay());
                 finish(present());
             }
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             // A listener failed: this thread ends as usual, another one sees the next moves through.
             startWatcher();
             throw e;

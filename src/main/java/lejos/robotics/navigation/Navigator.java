@@ -7,8 +7,8 @@ import lejos.robotics.localization.PoseProvider;
 import lejos.robotics.pathfinding.Path;
 
 /**
- * Drives a robot along a path of waypoints, on a daemon thread of its own. To each waypoint it turns and drives straight
- * ahead, once; a pilot whose least radius is not 0 is led along arcs.
+ * Drives a robot along a path of waypoints, on a daemon thread of its own. To each waypoint it turns and drives
+ * straight ahead, once; a pilot whose least radius is not 0 is led along arcs.
  *
  * <p>Listeners hear of waypoints on the navigator's thread, while {@link #isMoving} is still true, and of interruptions
  * on the thread that interrupts. May be used by several threads; this object's lock guards the path and how far it is
@@ -174,7 +174,7 @@ public class Navigator implements WaypointListener {
         addWaypoint(new Waypoint(x, y, heading));
     }
 
-    /** Stops, tells the listeners, even if the robot was resting, and returns at rest; {@link #followPath()} goes on. */
+    /** Stops and tells the listeners, even if the robot was resting. {@link #followPath()} goes on. */
     public void stop() {
         Waypoint aim;
         int count;

@@ -383,7 +383,8 @@ public class OmniPilot implements ArcRotateMoveController, RegulatedMotorListene
     }
 
     private synchronized WatchedMove runWithoutEnd(double linear, double angular, double direction) {
-        Move.MoveType kind = angular == 0 ? Move.MoveType.TRAVEL : linear == 0 ? Move.MoveType.ROTATE : Move.MoveType.ARC;
+        Move.MoveType turning = linear == 0 ? Move.MoveType.ROTATE : Move.MoveType.ARC;
+        Move.MoveType kind = angular == 0 ? Move.MoveType.TRAVEL : turning;
         double distance = linear == 0 ? 0 : Math.signum(linear) * Double.POSITIVE_INFINITY;
         double angle = angular == 0 ? 0 : Math.signum(angular) * Double.POSITIVE_INFINITY;
         return begin(kind, distance, angle, () -> wheels.run(speed(linear, angular, direction)));
@@ -432,9 +433,10 @@ public class OmniPilot implements ArcRotateMoveController, RegulatedMotorListene
         @Override
         public Move done(Move plan) {
             OmniWheels.Motion done = wheels.done();
-            double distance = done.forward() < 0 && -done.forward() > Math.abs(done.left()) ? -done.length() : done.length();
-            return new Move(type, (float) distance, (float) StrictMath.toDegrees(done.turnRadians()), (float) linearSpeed,
-                    (float) angularSpeed, wheels.isMoving());
+            boolean back = done.forward() < 0 && -done.forward() > Math.abs(done.left());
+            double distance = back ? -done.length() : done.length();
+            return new Move(type, (float) distance, (float) StrictMath.toDegrees(done.turnRadians()),
+                    (float) linearSpeed, (float) angularSpeed, wheels.isMoving());
         }
     }
 }

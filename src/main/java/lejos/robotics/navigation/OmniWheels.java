@@ -5,8 +5,8 @@ import lejos.robotics.RegulatedMotor;
 /**
  * Three wheels with rollers, 120 degrees apart at equal distances from the middle, that drive around it.
  *
- * <p>Motions are forward, to the left, and counter-clockwise in radians; with a time they are speeds. This object's lock
- * keeps commands to the three motors together.
+ * <p>Motions are forward, to the left, and counter-clockwise in radians; with a time they are speeds. This object's
+ * lock keeps commands to the three motors together.
  */
 final class OmniWheels {
     private static final double HALF_ROOT_3 = Math.sqrt(3) / 2;
@@ -42,7 +42,8 @@ final class OmniWheels {
         double spin = distance * motion.turnRadians;
         double across = frontal * HALF_ROOT_3 * motion.forward;
         double along = frontal * motion.left / 2;
-        return new double[] {degrees(-2 * along - spin), degrees(across + along - spin), degrees(along - across - spin)};
+        return new double[] {degrees(-2 * along - spin), degrees(across + along - spin),
+            degrees(along - across - spin)};
     }
 
     private double degrees(double way) {

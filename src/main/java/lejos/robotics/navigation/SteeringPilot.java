@@ -4,8 +4,8 @@ import lejos.robotics.RegulatedMotor;
 import lejos.robotics.RegulatedMotorListener;
 
 /**
- * Drives a robot that steers like a car, with three positions of the wheel: straight ahead, and as far as it goes to the
- * left and to the right. So an arc of any radius is driven with the least one, as long as it would have been.
+ * Drives a robot that steers like a car, with three positions of the wheel: straight ahead, and as far as it goes to
+ * the left and to the right. So an arc of any radius is driven with the least one, as long as it would have been.
  *
  * <p>The speed is that of the drive motor.
  */

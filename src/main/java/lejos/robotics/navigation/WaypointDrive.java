@@ -48,7 +48,10 @@ record WaypointDrive(MoveController pilot, float minRadius) {
         return going.getAsBoolean() ? Result.ARRIVED : Result.INTERRUPTED;
     }
 
-    /** Begins a move and waits for its end. Who interrupts the drive stops the pilot, but perhaps just before the move begins. */
+    /**
+     * Begins a move and waits for its end; false if the drive is given up. Who interrupts it stops the pilot, but
+     * perhaps just before the move begins: then the move is stopped here.
+     */
     private boolean move(Runnable motion, BooleanSupplier going) {
         if (!going.getAsBoolean()) {
             return false;

@@ -53,9 +53,11 @@ class NewDeviceTest {
     private final SensorPortDevice port = port();
 
     private static SensorPortDevice port() {
-        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0, Angles.radiansFromDegrees(90)),
+        RobotBench bench = new RobotBench(TestWorlds.with(), TestWorlds.educator(), new Pose2(0, 0,
+                Angles.radiansFromDegrees(90)),
                 ArenaSettings.of(true));
-        SensorMount mount = new SensorMount("compass", 1, SensorType.NXT_ULTRASONIC, new Point2(0, 0), 0, 0.06, List.of(),
+        SensorMount mount = new SensorMount("compass", 1, SensorType.NXT_ULTRASONIC, new Point2(0, 0), 0, 0.06,
+                List.of(),
                 Optional.empty());
         bench.devices.sensor(1).plug(mount, Compass::new);
         return bench.devices.sensor(1);

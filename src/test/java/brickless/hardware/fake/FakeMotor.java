@@ -242,7 +242,9 @@ public final class FakeMotor implements MotorSocket, MotorRegulation {
         return new MotorSnapshot(state, tachoDegrees(), (float) position, (float) velocity);
     }
 
-    /** Lets the brick's time pass until this motor stands; daemons only watch and wait for the others to let it pass. */
+    /**
+     * Lets the brick's time pass until this motor stands; daemons only watch and wait for the others to let it pass.
+     */
     @Override
     public void awaitStandstill() {
         if (Thread.currentThread().isDaemon()) {

@@ -26,8 +26,10 @@ class ChargesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"loop, 0, 0.1", "serialRead, 200, 3", "analogueRead, 200, 3", "tacho, 20, 2", "isMoving, 20, 2", "command, 320, 10",
-        "println, 500, 20", "drawString, 500, 80", "clock, 2, 0.5", "key, 20, 2", "led, 100, 2", "refresh, 200, 2", "monitor, 0.5, 0.5",
+    @CsvSource({"loop, 0, 0.1", "serialRead, 200, 3", "analogueRead, 200, 3", "tacho, 20, 2", "isMoving, 20, 2",
+            "command, 320, 10",
+        "println, 500, 20", "drawString, 500, 80", "clock, 2, 0.5", "key, 20, 2", "led, 100, 2", "refresh, 200, 2",
+                "monitor, 0.5, 0.5",
         "kilobyte, 4, 0.5", "thread, 500, 5"})
     void aCallCostsMicroseconds(String call, double microseconds, double tolerance) {
         assertThat(lines.number("cost." + call) - LOOP).isCloseTo(microseconds, offset(tolerance));

@@ -44,9 +44,11 @@ class ExampleProgramsTest {
     @Test
     void driversOfTheProgramWorkWithDevicesOfTheirKind() throws ProgramException, IOException {
         String robot = Files.readString(PROGRAMS.resolve("ownsensor").resolve("robot.svg"));
-        try (Run run = run("ownsensor", SimulationSettings.builder(Kit.worldOf(Worlds.ROOM)).robot(Kit.robotOf(robot)).ideal(true))) {
+        try (Run run = run("ownsensor", SimulationSettings.builder(Kit.worldOf(Worlds.ROOM)).robot(Kit.robotOf(robot))
+                .ideal(true))) {
             assertThat(run.outcome().kind()).isEqualTo("exited");
-            assertThat(run.robot().screenText().lines()).contains("sonar mm 510.0", "sonar in 201.0", "ranger m 0.51", "bumper 0.0", "closed",
+            assertThat(run.robot().screenText().lines()).contains("sonar mm 510.0", "sonar in 201.0", "ranger m 0.51",
+                    "bumper 0.0", "closed",
                     "LEGO Sonar V1.0");
             assertThat(value(run, "bright")).isBetween(0.5, 0.65);
             assertThat(value(run, "dark")).isBetween(0.0, 0.2);

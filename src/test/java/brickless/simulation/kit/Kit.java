@@ -20,23 +20,28 @@ final class Kit {
 
     /** A robot that carries: a bare large motor on A, wheels on B and C, a claw of 0 to 90 degrees on D. */
     static final String BENCH = robot("<g data-part='turret' id='bare' data-port='A' data-motor='large'/>"
-            + "<g data-part='claw' id='claw' data-port='D' data-motor='medium' data-min-degrees='0' data-max-degrees='90'>"
+            + "<g data-part='claw' id='claw' data-port='D' data-motor='medium' data-min-degrees='0' "
+                    + "data-max-degrees='90'>"
             + "<rect x='60' y='-40' width='50' height='8'/></g>");
 
     private Kit() {}
 
     /** Two by two metres with what {@code body} adds to the empty white floor; the robot's axle stands at 1000,1000. */
     static String world(String body) {
-        return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'><rect width='2000' height='2000' fill='white'/>" + body
+        return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'><rect width='2000' height='2000' "
+                + "fill='white'/>" + body
                 + "</svg>";
     }
 
     /** A heavy chassis on two wheels, with more parts. */
     static String robot(String parts) {
-        return "<svg xmlns='http://www.w3.org/2000/svg'><rect data-part='chassis' x='-100' y='-40' width='150' height='80' data-mass-kg='1'/>"
+        return "<svg xmlns='http://www.w3.org/2000/svg'><rect data-part='chassis' x='-100' y='-40' width='150' "
+                + "height='80' data-mass-kg='1'/>"
                 + "<circle data-part='caster' id='ball' cx='-80' cy='0' r='8'/>"
-                + "<rect data-part='wheel' id='left' data-port='B' data-motor='large' x='-28' y='-70' width='56' height='26' data-diameter-mm='56'/>"
-                + "<rect data-part='wheel' id='right' data-port='C' data-motor='large' x='-28' y='44' width='56' height='26' data-diameter-mm='56'/>"
+                + "<rect data-part='wheel' id='left' data-port='B' data-motor='large' x='-28' y='-70' width='56' "
+                        + "height='26' data-diameter-mm='56'/>"
+                + "<rect data-part='wheel' id='right' data-port='C' data-motor='large' x='-28' y='44' width='56' "
+                        + "height='26' data-diameter-mm='56'/>"
                 + parts + "</svg>";
     }
 

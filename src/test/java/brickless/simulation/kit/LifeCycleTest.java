@@ -22,7 +22,8 @@ import kit.Leaves;
 /** Layers of the screen, exceptions, and the ways a program ends. */
 class LifeCycleTest {
     private static Run start(Class<?> program, UnaryOperator<SimulationSettings.Builder> settings) {
-        SimulationSettings.Builder builder = SimulationSettings.builder(Kit.worldOf(Kit.EMPTY)).robot(Kit.robotOf(Kit.BENCH))
+        SimulationSettings.Builder builder = SimulationSettings.builder(Kit.worldOf(Kit.EMPTY))
+                .robot(Kit.robotOf(Kit.BENCH))
                 .limit(Duration.ofSeconds(20)).pressButtons(false);
         return new Simulation(settings.apply(builder).build()).start(program);
     }
@@ -43,7 +44,8 @@ class LifeCycleTest {
 
     @Test
     void leftWithRightShowsOneLayerAfterTheOtherThenAll() {
-        try (Run run = start(Layers.class, Kit.stimuli("3s press LEFT 400ms", "3s press RIGHT 400ms", "6s press LEFT 400ms",
+        try (Run run = start(Layers.class, Kit.stimuli("3s press LEFT 400ms", "3s press RIGHT 400ms",
+                "6s press LEFT 400ms",
                 "6s press RIGHT 400ms", "9s press LEFT 400ms", "9s press RIGHT 400ms", "12s press LEFT 400ms",
                 "12s press RIGHT 400ms", "15s press LEFT 400ms", "15s press RIGHT 400ms"))) {
             assertThat(screenAt(run, 5900)).isEqualTo("\n\n\ndrawn again");
@@ -78,9 +80,11 @@ class LifeCycleTest {
             assertThat(run.outcome().kind()).isEqualTo("failed");
             assertThat(run.outcome().error().orElseThrow()).contains("java.lang.IllegalStateException: arm is jammed",
                     "Caused by: java.lang.IllegalArgumentException: port A", "Crash.java:12");
-            assertThat(run.robot().smallScreenText()).startsWith("Uncaught exception\n\njava.lang.IllegalStateExcepti\narm is jammed\n\n"
+            assertThat(run.robot().smallScreenText()).startsWith("Uncaught "
+                    + "exception\n\njava.lang.IllegalStateExcepti\narm is jammed\n\n"
                     + "by java.lang.IllegalArgumentE\nport A\n\nCrash.main:12");
-            assertThat(Files.readAllBytes(folder.resolve("run").resolve("screen.png"))).isEqualTo(run.robot().screenPng());
+            assertThat(Files.readAllBytes(folder.resolve("run").resolve("screen.png"))).isEqualTo(run.robot()
+                    .screenPng());
         }
     }
 
@@ -88,9 +92,12 @@ class LifeCycleTest {
     void motorsCoastWhenTheProgramIsOver(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("robot.svg"), Kit.BENCH);
         Path world = Files.writeString(folder.resolve("two.svg"), Kit.world(
-                "<g data-robot='leaver' data-model='robot.svg' data-program='kit.Leaves' transform='translate(400,400)'/>"
-                + "<g data-robot='stayer' data-model='robot.svg' data-program='kit.Follower' transform='translate(400,1600)'/>"));
-        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(Files.readString(world))).worldFile(world.toString()).build();
+                "<g data-robot='leaver' data-model='robot.svg' data-program='kit.Leaves' "
+                        + "transform='translate(400,400)'/>"
+                + "<g data-robot='stayer' data-model='robot.svg' data-program='kit.Follower' "
+                        + "transform='translate(400,1600)'/>"));
+        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(Files.readString(world)))
+                .worldFile(world.toString()).build();
         try (Run run = new Simulation(settings).start(Leaves.class)) {
             run.advance(Duration.ofMillis(1000));
             RobotView leaver = run.robots().get(0);

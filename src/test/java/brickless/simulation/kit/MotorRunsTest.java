@@ -53,7 +53,8 @@ class MotorRunsTest {
 
         @Test
         void rotationsEndWithinTwoDegreesAndAreOverThen() {
-            for (String name : new String[] {"at90:360", "at360:360", "at720:360", "back:-90", "triangle:10", "tooFast:3600"}) {
+            for (String name : new String[] {"at90:360", "at360:360", "at720:360", "back:-90", "triangle:10",
+                    "tooFast:3600"}) {
                 String[] parts = name.split(":");
                 assertThat(lines.number(parts[0], 1)).as(name).isCloseTo(Double.parseDouble(parts[1]), offset(2.0));
                 assertThat(lines.words(parts[0]).get(2)).as(name).isEqualTo("false");
@@ -115,8 +116,10 @@ class MotorRunsTest {
     @Test
     void listenersHearEveryStartBeforeAndEveryEnd() {
         assertThat(printed(Stalls.class).lines().stream().filter(line -> line.contains("=")).toList()).containsExactly(
-                "started moving=false", "stopped stalled=false", "started moving=false", "stopped stalled=true", "started moving=false",
-                "stopped stalled=false", "started moving=false", "stopped stalled=true", "started moving=false", "stopped stalled=true");
+                "started moving=false", "stopped stalled=false", "started moving=false", "stopped stalled=true",
+                        "started moving=false",
+                "stopped stalled=false", "started moving=false", "stopped stalled=true", "started moving=false",
+                        "stopped stalled=true");
     }
 
     @Test

@@ -25,8 +25,10 @@ import kit.Volts;
 class PanelRunsTest {
     @Test
     void keysArePressesThatTheProgramCanMiss() {
-        try (Run run = Kit.run(Buttons.class, Kit.EMPTY, Kit.BENCH, Kit.stimuli("1s press ENTER 200ms", "1600ms press LEFT 100ms",
-                "1950ms press RIGHT 1000ms", "4s press RIGHT 200ms", "5s press UP 300ms", "7s press DOWN 200ms", "8s press DOWN 150ms",
+        try (Run run = Kit.run(Buttons.class, Kit.EMPTY, Kit.BENCH, Kit.stimuli("1s press ENTER 200ms",
+                "1600ms press LEFT 100ms",
+                "1950ms press RIGHT 1000ms", "4s press RIGHT 200ms", "5s press UP 300ms", "7s press DOWN 200ms",
+                        "8s press DOWN 150ms",
                 "9s press ENTER 150ms", "10s press ESCAPE 150ms"))) {
             Printed lines = Kit.printed(run);
             pressed(lines, "first", 2, 1000);
@@ -51,32 +53,40 @@ class PanelRunsTest {
 
     @Test
     void theMenuIsOnTheScreenWhileItWaits() {
-        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(Kit.EMPTY)).robot(Kit.robotOf(Kit.BENCH)).build();
+        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(Kit.EMPTY)).robot(Kit.robotOf(Kit.BENCH))
+                .build();
         try (Run run = new Simulation(settings).start(Menu.class)) {
-            assertThat(run.advanceUntil(each -> each.robot().screenText().contains("stop"), Duration.ofSeconds(30))).isTrue();
+            assertThat(run.advanceUntil(each -> each.robot().screenText().contains("stop"), Duration.ofSeconds(30)))
+                    .isTrue();
             assertThat(run.robot().screenText()).isEqualTo("choose\n>drive\n turn\n stop");
         }
     }
 
     @Test
     void soundsBlockForTheirLengthAndAreTraced(@TempDir Path folder) throws IOException {
-        try (Run run = Kit.run(Signals.class, Kit.EMPTY, Kit.BENCH, settings -> settings.out(Optional.of(folder.resolve("run"))))) {
+        try (Run run = Kit.run(Signals.class, Kit.EMPTY, Kit.BENCH,
+                settings -> settings.out(Optional.of(folder.resolve("run"))))) {
             Printed lines = Kit.printed(run);
-            String[] lengths = {"beep 200", "twoBeeps 350", "sequence 400", "sequenceUp 400", "buzz 500", "tone 250", "absolute 30",
+            String[] lengths = {"beep 200", "twoBeeps 350", "sequence 400", "sequenceUp 400", "buzz 500", "tone 250",
+                    "absolute 30",
                 "sample 1500"};
             for (String length : lengths) {
                 String[] parts = length.split(" ");
-                assertThat(lines.number(parts[0])).as(parts[0]).isBetween(Double.parseDouble(parts[1]), Double.parseDouble(parts[1]) + 3);
+                assertThat(lines.number(parts[0])).as(parts[0]).isBetween(Double.parseDouble(parts[1]),
+                        Double.parseDouble(parts[1]) + 3);
             }
             assertThat(lines.words("volume")).containsExactly("80");
             assertThat(lines.words("result")).containsExactly("0");
             assertThat(lines.words("missing")).containsExactly("-9");
         }
         List<String> sounds = sounds(folder.resolve("run").resolve("trace.jsonl"));
-        assertThat(sounds.subList(0, 3)).containsExactly("600 Hz 200 ms 80 %", "600 Hz 150 ms 80 %", "600 Hz 150 ms 80 %");
-        assertThat(sounds.subList(3, 7)).containsExactly("915 Hz 100 ms 80 %", "784 Hz 100 ms 80 %", "653 Hz 100 ms 80 %",
+        assertThat(sounds.subList(0, 3)).containsExactly("600 Hz 200 ms 80 %", "600 Hz 150 ms 80 %",
+                "600 Hz 150 ms 80 %");
+        assertThat(sounds.subList(3, 7)).containsExactly("915 Hz 100 ms 80 %", "784 Hz 100 ms 80 %",
+                "653 Hz 100 ms 80 %",
                 "523 Hz 100 ms 80 %");
-        assertThat(sounds.subList(11, 15)).containsExactly("100 Hz 500 ms 80 %", "440 Hz 250 ms 30 %", "880 Hz 30 ms 70 %",
+        assertThat(sounds.subList(11, 15)).containsExactly("100 Hz 500 ms 80 %", "440 Hz 250 ms 30 %",
+                "880 Hz 30 ms 70 %",
                 "0 Hz 1500 ms 50 %");
     }
 
@@ -88,10 +98,12 @@ class PanelRunsTest {
 
     @Test
     void ledPatternsAreTraced(@TempDir Path folder) throws IOException {
-        try (Run run = Kit.run(Signals.class, Kit.EMPTY, Kit.BENCH, settings -> settings.out(Optional.of(folder.resolve("run"))))) {
+        try (Run run = Kit.run(Signals.class, Kit.EMPTY, Kit.BENCH,
+                settings -> settings.out(Optional.of(folder.resolve("run"))))) {
             assertThat(run.robot().ledPattern()).isZero();
         }
-        assertThat(Files.readAllLines(folder.resolve("run").resolve("trace.jsonl")).stream().filter(line -> line.contains("\"pattern\":"))
+        assertThat(Files.readAllLines(folder.resolve("run").resolve("trace.jsonl")).stream()
+                .filter(line -> line.contains("\"pattern\":"))
                 .map(line -> line.replaceAll(".*\"pattern\":(\\d).*", "$1")).toList()).containsExactly("4", "0");
     }
 

@@ -25,7 +25,8 @@ class SensorRunsTest {
     private static Printed olderNoisy;
 
     private static Printed run(Class<?> program, String world, String robot, boolean ideal, long seed) {
-        try (Run run = Kit.run(program, world, robot, settings -> Kit.stimuli("0s remote 2 TOP_LEFT 60s").apply(settings)
+        try (Run run = Kit.run(program, world, robot, settings -> Kit.stimuli("0s remote 2 TOP_LEFT 60s")
+                .apply(settings)
                 .ideal(ideal).seed(seed))) {
             assertThat(run.outcome().kind()).isEqualTo("exited");
             return Kit.printed(run);
@@ -132,7 +133,8 @@ class SensorRunsTest {
     @Test
     void idealInfraredSensorTellsPercentOf70Centimetres() {
         assertThat(olderExact.words("proximity")).containsExactly("40.0");
-        assertThat(olderExact.words("seek")).containsExactly("0.0", "12.0", "0.0", "Infinity", "0.0", "Infinity", "0.0", "Infinity");
+        assertThat(olderExact.words("seek")).containsExactly("0.0", "12.0", "0.0", "Infinity", "0.0", "Infinity",
+                "0.0", "Infinity");
         assertThat(olderExact.words("remote")).containsExactly("0", "1");
     }
 
@@ -188,9 +190,11 @@ class SensorRunsTest {
 
     @Test
     void handsWallsAndClapsAreFelt() {
-        String robot = Kit.robot(Worlds.sensor("S1", "ev3-touch", 60, 20, 30) + Worlds.sensor("S2", "nxt-touch", -110, 0, 30)
+        String robot = Kit.robot(Worlds.sensor("S1", "ev3-touch", 60, 20, 30) + Worlds.sensor("S2", "nxt-touch", -110,
+                0, 30)
                 + Worlds.sensor("S3", "nxt-sound", 0, 0, 60));
-        try (Run run = Kit.run(Contacts.class, NEAR, robot, settings -> Kit.stimuli("1s push S1 300ms", "2s push S2 300ms",
+        try (Run run = Kit.run(Contacts.class, NEAR, robot, settings -> Kit.stimuli("1s push S1 300ms",
+                "2s push S2 300ms",
                 "3s clap 85dB").apply(settings).ideal(true))) {
             assertThat(run.outcome().kind()).isEqualTo("exited");
             Printed lines = Kit.printed(run);
@@ -199,7 +203,8 @@ class SensorRunsTest {
             assertThat(lines.number("hand")).isBetween(1000.0, 1015.0);
             assertThat(lines.number("handOnTheOther")).isBetween(2000.0, 2015.0);
             assertThat(lines.number("clap")).isBetween(3000.0, 3030.0);
-            assertThat(lines.number("wall")).as("270 mm at 176 mm/s").isCloseTo(3000 + 1000 * 270 / 175.9, offset(250.0));
+            assertThat(lines.number("wall")).as("270 mm at 176 mm/s").isCloseTo(3000 + 1000 * 270 / 175.9,
+                    offset(250.0));
             assertThat(lines.words("backedUp")).containsExactly("0.0");
             assertThat(run.robot().xMetres()).isLessThan(1.27);
         }

@@ -32,6 +32,14 @@ class ImageTest {
     }
 
     @Test
+    void singlePixelsOfAnImageCanBeSet() {
+        Image image = Image.createImage(3, 1);
+        image.getGraphics().setPixel(1, 0, 1);
+        image.getGraphics().refresh();
+        assertThat(rows(image)).isEqualTo(".#.\n");
+    }
+
+    @Test
     void wideLowImagesHaveRoomForAllRows() {
         Image image = Image.createImage(178, 10);
         image.getGraphics().fillRect(0, 0, 178, 10);

@@ -99,7 +99,8 @@ class EV3PortsTest {
         brick.sensor(3).plugUart(30, "ev3-ultrasonic", "US-DIST-CM");
         var refusal = assertThrows(IllegalArgumentException.class, () -> new EV3UltrasonicSensor(SensorPort.S1));
         assertEquals("S1 has ev3-touch plugged in, but the program wants EV3UltrasonicSensor there: put data-sensor="
-                + "\"ev3-ultrasonic\" there in the robot's SVG, open it on S4, where the robot has its ev3-ultrasonic, or use"
+                + "\"ev3-ultrasonic\" there in the robot's SVG, open it on S4, where the robot has its "
+                        + "ev3-ultrasonic, or use"
                 + " --robot auto", refusal.getCause().getMessage());
     }
 }

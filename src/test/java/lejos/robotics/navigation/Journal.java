@@ -34,7 +34,11 @@ final class Journal implements MoveListener, NavigationListener {
 
     private synchronized void note(String what, Move move) {
         moves.add(move);
-        lines.add(String.format("%s %s %.0f %.0f", what, move.getMoveType(), move.getDistanceTraveled(), move.getAngleTurned()));
+        lines.add(what + " " + move.getMoveType() + " " + number(move.getDistanceTraveled()) + " " + number(move.getAngleTurned()));
+    }
+
+    private static String number(float value) {
+        return Float.isInfinite(value) ? String.valueOf(value) : String.valueOf(Math.round(value));
     }
 
     @Override

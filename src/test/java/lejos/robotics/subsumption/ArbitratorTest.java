@@ -412,4 +412,29 @@ class ArbitratorTest {
             throw new AssertionError(e);
         }
     }
+
+    @Test
+    @SuppressWarnings("deprecation")
+    void startIsGoByItsOldName() {
+        int[] actions = new int[1];
+        Arbitrator[] arbitrator = new Arbitrator[1];
+        Behavior once = new Behavior() {
+            @Override
+            public boolean takeControl() {
+                return true;
+            }
+
+            @Override
+            public void action() {
+                actions[0]++;
+                arbitrator[0].stop();
+            }
+
+            @Override
+            public void suppress() {}
+        };
+        arbitrator[0] = new Arbitrator(new Behavior[] {once});
+        arbitrator[0].start();
+        assertThat(actions[0]).isEqualTo(1);
+    }
 }
