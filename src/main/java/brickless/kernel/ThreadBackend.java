@@ -17,7 +17,8 @@ final class ThreadBackend implements Backend {
     private final CountDownLatch over = new CountDownLatch(1);
     private final Set<Carrier> carriers = ConcurrentHashMap.newKeySet();
     private Consumer<Throwable> onFailure;
-    private volatile Carrier lastLeft;
+    /** The carrier that may spin for its turn; one at a time, so that the others find a processor. */
+    private volatile Carrier spinner;
     private volatile boolean abandoned;
 
     ThreadBackend(long stackBytes) {
@@ -55,7 +56,6 @@ final class ThreadBackend implements Backend {
     @Override
     public void switchTo(Fibre from, Fibre to) {
         Carrier me = carrierOf(from);
-        lastLeft = me;
         give(to);
         me.spin();
         me.turn.await();
@@ -66,7 +66,6 @@ final class ThreadBackend implements Backend {
 
     @Override
     public void finish(Fibre from, Fibre to) {
-        lastLeft = null;
         if (to == null) {
             over.countDown();
         } else {
@@ -117,15 +116,19 @@ final class ThreadBackend implements Backend {
             setContextClassLoader(fibre.contextLoader);
         }
 
-        /** Waits actively for the turn, as long as that may pay and no other carrier came to wait. */
+        /** Waits actively for the turn, as long as that may pay and no other carrier wants to. */
         void spin() {
             int spins = backOff.spins();
             if (spins == 0) {
                 return;
             }
-            for (int i = 0; i < spins && lastLeft == this; i++) {
+            spinner = this;
+            for (int i = 0; i < spins; i++) {
                 if (turn.given()) {
                     backOff.succeeded();
+                    return;
+                }
+                if (spinner != this) {
                     return;
                 }
                 Thread.onSpinWait();
