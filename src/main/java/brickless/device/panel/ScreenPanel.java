@@ -142,11 +142,17 @@ public final class ScreenPanel implements ScreenSocket {
 
     /** One layer; its memory is written by the program without any lock, as on the brick. */
     private static final class Layer {
+        /** Most layers are never drawn into; comparing is much cheaper than adding. */
+        private static final byte[] BLANK = new byte[ROW_BYTES * HEIGHT];
+
         private final byte[] memory = new byte[ROW_BYTES * HEIGHT];
         private boolean visible = true;
         private boolean autoRefresh = true;
 
         void addTo(byte[] picture) {
+            if (Arrays.equals(memory, BLANK)) {
+                return;
+            }
             for (int i = 0; i < picture.length; i++) {
                 picture[i] |= memory[i];
             }
