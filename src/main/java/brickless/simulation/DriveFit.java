@@ -1,35 +1,41 @@
 package brickless.simulation;
 
 import brickless.loading.hints.HardwareHints;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 
 /**
- * Which motors drive a robot, and with what tyres, as far as a program tells.
+ * Which motors drive a robot with two wheels, and with what tyres, as far as a program tells.
  *
- * @param leftPort port of the left wheel's motor
- * @param rightPort port of the right wheel's motor
- * @param leftMotor value of {@code data-motor}
- * @param rightMotor value of {@code data-motor}
- * @param diameterMillimetres tyre diameter
+ * @param left left wheel
+ * @param right right wheel
  * @param trackMillimetres distance between the wheels
- * @param gearRatio motor turns per wheel turn
  */
-record DriveFit(String leftPort, String rightPort, String leftMotor, String rightMotor, double diameterMillimetres, double trackMillimetres,
-        double gearRatio) {
-    /** Tyres of LEGO kits by outer diameter in millimetres; 56 is the EV3 kit's. */
-    private static final double[] TYRES = {24, 30.4, 43.2, 49.6, 56, 62.4, 68.8, 81.6, 94.2};
-    private static final double[] MILLIMETRES_PER_UNIT = {10, 1, 25.4, 1000};
-    private static final double DEFAULT_DIAMETER = 56;
+record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     private static final double DEFAULT_TRACK = 120;
     private static final double MINIMUM_TRACK = 60;
     private static final double MAXIMUM_TRACK = 400;
     /** Pairs of ports in the order in which people wire two driven wheels, left first. */
     private static final List<String> USUAL_PAIRS = List.of("BC", "AD", "AB", "AC", "CD", "BD");
-    private static final Pattern LEFT = Pattern.compile("(?i).*(left|links|gauche|izq).*|[lL]|[lL](m|M)otor|m(otor)?L");
-    private static final Pattern RIGHT = Pattern.compile("(?i).*(right|rechts|droit|derech).*|[rR]|[rR](m|M)otor|m(otor)?R");
+    private static final List<HardwareHints.Device> USUAL_MOTORS = List.of(new HardwareHints.Device("B", "EV3LargeRegulatedMotor", ""),
+            new HardwareHints.Device("C", "EV3LargeRegulatedMotor", ""));
+    /** Names of motors that move something else than the robot. */
+    private static final Pattern TOOL = Pattern.compile("(?i).*(arm|claw|grip|grab|lift|fork|crane|turret|head|neck|kick|shoot|cannon|sensor"
+            + "|sonar|eye|scan|hand|jaw|door|brush|pen|cage|greif|kopf|turm).*");
+
+    /**
+     * A driven wheel.
+     *
+     * @param port port of its motor
+     * @param motor value of {@code data-motor}
+     * @param diameterMillimetres tyre diameter
+     * @param gearRatio motor turns per wheel turn
+     * @param inverted whether the motor is mounted the other way round
+     */
+    record Wheel(String port, String motor, double diameterMillimetres, double gearRatio, boolean inverted) {}
 
     static DriveFit of(HardwareHints hints) {
         List<HardwareHints.Wheel> wheels = hints.wheels().stream().limit(2).toList();
@@ -37,22 +43,30 @@ record DriveFit(String leftPort, String rightPort, String leftMotor, String righ
             return declared(hints, ordered(wheels));
         }
         List<HardwareHints.Device> pair = guessedPair(hints.motors());
-        HardwareHints.Device left = pair.get(0);
-        HardwareHints.Device right = pair.get(1);
-        if (LEFT.matcher(right.name()).matches() || RIGHT.matcher(left.name()).matches()) {
-            left = pair.get(1);
-            right = pair.get(0);
-        }
-        return new DriveFit(left.port(), right.port(), motor(left.lejosClass()), motor(right.lejosClass()), DEFAULT_DIAMETER, DEFAULT_TRACK, 1);
+        boolean swapped = Side.of(pair.get(1).name()) == Side.LEFT || Side.of(pair.get(0).name()) == Side.RIGHT;
+        return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0)), guessed(hints, pair.get(swapped ? 0 : 1)), DEFAULT_TRACK);
+    }
+
+    private static Wheel guessed(HardwareHints hints, HardwareHints.Device motor) {
+        return new Wheel(motor.port(), motorOf(motor), TyreSize.DEFAULT_MILLIMETRES, 1, hints.reversed().contains(motor.port()));
     }
 
     private static DriveFit declared(HardwareHints hints, List<HardwareHints.Wheel> wheels) {
         HardwareHints.Wheel left = wheels.get(0);
-        double unit = millimetresPerUnit(left.diameter());
-        double track = left.trackWidth().orElseGet(() -> Math.abs(left.offset().orElse(0)) + Math.abs(wheels.get(1).offset().orElse(0))) * unit;
+        HardwareHints.Wheel right = wheels.get(1);
+        double track = left.trackWidth().orElse(distance(left.offset(), right.offset())) * TyreSize.millimetresPerUnit(left.diameter());
         boolean plausible = track >= MINIMUM_TRACK && track <= MAXIMUM_TRACK;
-        return new DriveFit(left.port(), wheels.get(1).port(), motorAt(hints, left.port()), motorAt(hints, wheels.get(1).port()),
-                left.diameter() * unit, plausible ? track : DEFAULT_TRACK, left.gearRatio() > 0 ? left.gearRatio() : 1);
+        return new DriveFit(declared(hints, left), declared(hints, right), plausible ? track : DEFAULT_TRACK);
+    }
+
+    private static double distance(OptionalDouble left, OptionalDouble right) {
+        double one = Math.abs(left.orElse(right.orElse(0)));
+        return one + Math.abs(right.orElse(one));
+    }
+
+    private static Wheel declared(HardwareHints hints, HardwareHints.Wheel wheel) {
+        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.millimetres(wheel.diameter()), TyreSize.gearRatio(wheel.gearRatio()),
+                hints.reversed().contains(wheel.port()));
     }
 
     /** Left wheel first: by name if the names tell, else the one with the smaller offset, as most programs have it. */
@@ -60,9 +74,9 @@ record DriveFit(String leftPort, String rightPort, String leftMotor, String righ
         HardwareHints.Wheel first = wheels.get(0);
         HardwareHints.Wheel second = wheels.get(1);
         boolean firstIsLeft;
-        if (LEFT.matcher(first.name()).matches() || RIGHT.matcher(second.name()).matches()) {
+        if (Side.of(first.name()) == Side.LEFT || Side.of(second.name()) == Side.RIGHT) {
             firstIsLeft = true;
-        } else if (LEFT.matcher(second.name()).matches() || RIGHT.matcher(first.name()).matches()) {
+        } else if (Side.of(second.name()) == Side.LEFT || Side.of(first.name()) == Side.RIGHT) {
             firstIsLeft = false;
         } else {
             firstIsLeft = first.offset().orElse(0) <= second.offset().orElse(0);
@@ -70,48 +84,39 @@ record DriveFit(String leftPort, String rightPort, String leftMotor, String righ
         return firstIsLeft ? wheels : List.of(second, first);
     }
 
+    /** Two motors that are named after sides, else a usual pair of ports; large motors before medium ones, tools last. */
     private static List<HardwareHints.Device> guessedPair(List<HardwareHints.Device> motors) {
-        List<HardwareHints.Device> candidates = new ArrayList<>(motors.stream().filter(m -> !m.lejosClass().contains("Medium")).toList());
-        if (candidates.size() < 2) {
-            candidates = new ArrayList<>(motors);
-        }
-        List<HardwareHints.Device> named = candidates.stream()
-                .filter(m -> LEFT.matcher(m.name()).matches() || RIGHT.matcher(m.name()).matches()).toList();
-        if (named.size() == 2) {
+        List<HardwareHints.Device> wheels = twoOrMore(motors, motor -> !TOOL.matcher(motor.name()).matches());
+        List<HardwareHints.Device> large = twoOrMore(wheels, motor -> !motorOf(motor).equals("medium"));
+        List<HardwareHints.Device> candidates = large.size() < wheels.size() ? large : twoOrMore(wheels, motor -> motorOf(motor).equals("medium"));
+        List<HardwareHints.Device> named = candidates.stream().filter(motor -> sideOf(motor) != Side.UNKNOWN).toList();
+        if (named.size() == 2 && sideOf(named.get(0)) != sideOf(named.get(1))) {
             return named;
         }
-        for (String pair : USUAL_PAIRS) {
-            List<HardwareHints.Device> both = candidates.stream().filter(m -> pair.contains(m.port()))
-                    .sorted(Comparator.comparing(HardwareHints.Device::port)).toList();
-            if (both.size() == 2) {
-                return both;
-            }
-        }
-        return List.of(new HardwareHints.Device("B", "EV3LargeRegulatedMotor", ""), new HardwareHints.Device("C", "EV3LargeRegulatedMotor", ""));
+        return USUAL_PAIRS.stream().map(pair -> at(pair, candidates)).filter(both -> both.size() == 2).findFirst().orElse(USUAL_MOTORS);
     }
 
-    private static String motorAt(HardwareHints hints, String port) {
-        return hints.motors().stream().filter(m -> m.port().equals(port)).findFirst().map(m -> motor(m.lejosClass())).orElse("large");
+    private static Side sideOf(HardwareHints.Device motor) {
+        return Side.of(motor.name());
+    }
+
+    /** The motors of a kind if they are two or more, else all. */
+    private static List<HardwareHints.Device> twoOrMore(List<HardwareHints.Device> motors, Predicate<HardwareHints.Device> kind) {
+        List<HardwareHints.Device> some = motors.stream().filter(kind).toList();
+        return some.size() >= 2 ? some : motors;
+    }
+
+    private static List<HardwareHints.Device> at(String ports, List<HardwareHints.Device> motors) {
+        return motors.stream().filter(motor -> ports.contains(motor.port())).sorted(Comparator.comparing(HardwareHints.Device::port)).toList();
+    }
+
+    /** Value of {@code data-motor} for the motor that a program uses at a port. */
+    static String motorAt(HardwareHints hints, String port) {
+        return hints.motors().stream().filter(motor -> motor.port().equals(port)).findFirst().map(DriveFit::motorOf).orElse("large");
     }
 
     /** {@code Motor.A} is an {@code NXTRegulatedMotor} in leJOS whatever is plugged in; on an EV3 that is a large motor. */
-    private static String motor(String lejosClass) {
-        return lejosClass.contains("Medium") ? "medium" : "large";
-    }
-
-    /** The unit of length in which a diameter comes closest to a tyre that exists; centimetres win ties. */
-    static double millimetresPerUnit(double diameter) {
-        double best = MILLIMETRES_PER_UNIT[0];
-        double error = Double.POSITIVE_INFINITY;
-        for (double unit : MILLIMETRES_PER_UNIT) {
-            for (double tyre : TYRES) {
-                double ratio = Math.abs(StrictMath.log(diameter * unit / tyre));
-                if (ratio < error - 1e-9) {
-                    error = ratio;
-                    best = unit;
-                }
-            }
-        }
-        return best;
+    private static String motorOf(HardwareHints.Device motor) {
+        return motor.lejosClass().contains("Medium") ? "medium" : "large";
     }
 }

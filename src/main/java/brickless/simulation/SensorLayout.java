@@ -8,15 +8,32 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The usual places of sensors on a fitted robot; a second one of a kind sits beside the first. */
+/**
+ * The usual places of sensors on a fitted robot. A second one of a kind sits beside the first, unless the names of both tell where they
+ * are: distance sensors then look to their side.
+ */
 final class SensorLayout {
-    private final List<String> elements = new ArrayList<>();
-    private final Map<SensorType, Integer> used = new EnumMap<>(SensorType.class);
-    private final Map<SensorType, Integer> total = new EnumMap<>(SensorType.class);
+    /** Distance from the axle to the front of the usual chassis in millimetres. */
+    static final double USUAL_FRONT = 95;
 
-    SensorLayout(List<HardwareHints.Device> sensors) {
-        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass()).ifPresent(type -> total.merge(type, 1, Integer::sum)));
-        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass()).ifPresent(type -> place(type, sensor.port())));
+    private final List<String> elements = new ArrayList<>();
+    private final Map<SensorType, Integer> ahead = new EnumMap<>(SensorType.class);
+    private final Map<SensorType, Integer> placed = new EnumMap<>(SensorType.class);
+    private final double front;
+    private final double halfWidth;
+
+    /**
+     * Lays sensors out.
+     *
+     * @param front distance from the robot's origin to the front of its chassis in millimetres
+     * @param halfWidth distance from its middle to its sides
+     */
+    SensorLayout(List<HardwareHints.Device> sensors, double front, double halfWidth) {
+        this.front = front;
+        this.halfWidth = halfWidth;
+        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass()).ifPresent(type -> count(type, Side.of(sensor.name()))));
+        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass())
+                .ifPresent(type -> place(type, sensor.port(), Side.of(sensor.name()))));
     }
 
     /** SVG elements, one per sensor. */
@@ -24,22 +41,55 @@ final class SensorLayout {
         return elements;
     }
 
-    private void place(SensorType type, String port) {
-        int index = used.merge(type, 1, Integer::sum) - 1;
-        double side = total.get(type) == 1 ? 0 : index % 2 == 0 ? -1 : 1;
-        switch (type) {
-            case EV3_TOUCH, NXT_TOUCH -> add(type, port, 103, total.get(type) == 1 ? 0 : 32 * side, 10, total.get(type) == 1 ? 112 : 54, 40, "#c62828");
-            case EV3_COLOR, NXT_COLOR, NXT_LIGHT -> add(type, port, 72, 14 * side, 16, 16, 8, "#1565c0");
-            case EV3_ULTRASONIC, NXT_ULTRASONIC -> add(type, port, 84, total.get(type) == 1 ? 0 : 34 * side, 20, 52, 90, "#455a64");
-            case EV3_INFRARED -> add(type, port, 84, total.get(type) == 1 ? 0 : 34 * side, 20, 40, 75, "#263238");
-            case EV3_GYRO -> add(type, port, 0, 24 * side, 18, 18, 60, "#6a1b9a");
-            default -> add(type, port, 30, 30 * side, 16, 16, 70, "#8d6e63");
+    private void count(SensorType type, Side side) {
+        if (!isDistance(type) || side == Side.UNKNOWN) {
+            ahead.merge(type, 1, Integer::sum);
         }
     }
 
-    private void add(SensorType type, String port, double x, double y, double length, double width, double height, String colour) {
+    private static boolean isDistance(SensorType type) {
+        return type == SensorType.EV3_ULTRASONIC || type == SensorType.NXT_ULTRASONIC || type == SensorType.EV3_INFRARED;
+    }
+
+    private void place(SensorType type, String port, Side side) {
+        if (isDistance(type) && side != Side.UNKNOWN) {
+            distance(type, port, side == Side.REAR ? new Spot(-95, 0, 180)
+                    : new Spot(front - 37, side == Side.LEFT ? -halfWidth : halfWidth, side == Side.LEFT ? -90 : 90));
+            return;
+        }
+        double beside = beside(type, side);
+        switch (type) {
+            case EV3_TOUCH, NXT_TOUCH -> add(type, port, side == Side.REAR ? new Spot(-113, 0, 180) : new Spot(front + 8, 32 * beside, 0), 10,
+                    beside == 0 || side == Side.REAR ? 2 * halfWidth + 26 : 54, 40, "#c62828");
+            case EV3_COLOR, NXT_COLOR, NXT_LIGHT -> add(type, port, new Spot(front - 23, 20 * beside, 0), 16, 16, 8, "#1565c0");
+            case EV3_ULTRASONIC, NXT_ULTRASONIC, EV3_INFRARED -> distance(type, port, new Spot(front - 11, 34 * beside, 0));
+            case EV3_GYRO -> add(type, port, new Spot(0, 24 * beside, 0), 18, 18, 60, "#6a1b9a");
+            default -> add(type, port, new Spot(30, 30 * beside, 0), 16, 16, 70, "#8d6e63");
+        }
+    }
+
+    /** −1 on the left, 1 on the right, 0 for the only one of its kind. */
+    private double beside(SensorType type, Side side) {
+        int index = placed.merge(type, 1, Integer::sum) - 1;
+        if (ahead.get(type) == 1) {
+            return 0;
+        }
+        return side == Side.LEFT ? -1 : side == Side.RIGHT ? 1 : index % 2 == 0 ? -1 : 1;
+    }
+
+    private void distance(SensorType type, String port, Spot spot) {
+        boolean infrared = type == SensorType.EV3_INFRARED;
+        add(type, port, spot, 20, infrared ? 40 : 52, infrared ? 75 : 90, infrared ? "#263238" : "#455a64");
+    }
+
+    /** Middle of a sensor in millimetres and where it looks, clockwise from ahead. */
+    private record Spot(double x, double y, double headingDegrees) {}
+
+    private void add(SensorType type, String port, Spot spot, double length, double width, double height, String colour) {
+        String transform = spot.headingDegrees == 0 ? ""
+                : String.format(Locale.ROOT, " transform=\"rotate(%.0f %.1f %.1f)\"", spot.headingDegrees, spot.x, spot.y);
         elements.add(String.format(Locale.ROOT, "<rect data-part=\"sensor\" id=\"%s-%s\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" "
-                + "data-port=\"%s\" data-sensor=\"%s\" data-height-mm=\"%.0f\" fill=\"%s\"/>", type.attribute(), port.toLowerCase(Locale.ROOT),
-                x - length / 2, y - width / 2, length, width, port, type.attribute(), height, colour));
+                + "data-port=\"%s\" data-sensor=\"%s\" data-height-mm=\"%.0f\" fill=\"%s\"%s/>", type.attribute(), port.toLowerCase(Locale.ROOT),
+                spot.x - length / 2, spot.y - width / 2, length, width, port, type.attribute(), height, colour, transform));
     }
 }

@@ -14,7 +14,7 @@ class DriveFitTest {
     @ParameterizedTest
     @CsvSource({"5.6, 10", "4.32, 10", "56, 1", "43.2, 1", "2.2, 25.4", "1.7, 25.4", "0.056, 1000", "5.5, 10", "3, 10", "8.16, 10", "81.6, 1"})
     void theUnitIsTheOneThatGivesATyreThatExists(double diameter, double millimetres) {
-        assertThat(DriveFit.millimetresPerUnit(diameter)).isEqualTo(millimetres);
+        assertThat(TyreSize.millimetresPerUnit(diameter)).isEqualTo(millimetres);
     }
 
     private static HardwareHints.Device large(String port, String name) {
@@ -26,25 +26,26 @@ class DriveFitTest {
                 new HardwareHints.Wheel("A", 4.32, OptionalDouble.of(6.5), OptionalDouble.empty(), 1, ""),
                 new HardwareHints.Wheel("D", 4.32, OptionalDouble.of(-6.5), OptionalDouble.empty(), 1, "")));
         DriveFit fit = DriveFit.of(hints);
-        assertThat(fit.leftPort()).as("smaller offset is left").isEqualTo("D");
-        assertThat(fit.diameterMillimetres()).isCloseTo(43.2, within(1e-9));
+        assertThat(fit.left().port()).as("smaller offset is left").isEqualTo("D");
+        assertThat(fit.left().diameterMillimetres()).isCloseTo(43.2, within(1e-9));
         assertThat(fit.trackMillimetres()).isCloseTo(130, within(1e-9));
     }
 
     @Test void namesTellLeftFromRight() {
         HardwareHints hints = new HardwareHints(List.of(large("A", "rightMotor"), large("D", "leftMotor")), List.of(), List.of());
-        assertThat(DriveFit.of(hints).leftPort()).isEqualTo("D");
-        assertThat(DriveFit.of(hints).rightPort()).isEqualTo("A");
+        assertThat(DriveFit.of(hints).left().port()).isEqualTo("D");
+        assertThat(DriveFit.of(hints).right().port()).isEqualTo("A");
     }
 
     @Test void aMediumMotorDoesNotDriveWhenTwoLargeOnesAreThere() {
         HardwareHints hints = new HardwareHints(List.of(new HardwareHints.Device("A", "EV3MediumRegulatedMotor", "claw"), large("B", ""),
                 large("D", "")), List.of(), List.of());
-        assertThat(DriveFit.of(hints).leftPort() + DriveFit.of(hints).rightPort()).isEqualTo("BD");
+        assertThat(DriveFit.of(hints).left().port() + DriveFit.of(hints).right().port()).isEqualTo("BD");
     }
 
     @Test void aProgramWithoutMotorsGetsTheUsualOnes() {
         DriveFit fit = DriveFit.of(new HardwareHints(List.of(), List.of(), List.of()));
-        assertThat(fit).isEqualTo(new DriveFit("B", "C", "large", "large", 56, 120, 1));
+        assertThat(fit).isEqualTo(new DriveFit(new DriveFit.Wheel("B", "large", 56, 1, false),
+                new DriveFit.Wheel("C", "large", 56, 1, false), 120));
     }
 }

@@ -1,6 +1,7 @@
 package brickless.loading.hints;
 
 import java.util.Objects;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.objectweb.asm.tree.analysis.Value;
@@ -10,46 +11,62 @@ import org.objectweb.asm.tree.analysis.Value;
  *
  * @param size 1 or 2 stack slots
  * @param kind what it is known to be
- * @param text port names, class name or string, depending on the kind
- * @param number number, or diameter of a wheel
+ * @param text class name, string, or name of the instruction that made an object, depending on the kind
+ * @param number the number
  * @param ports ports the value may stand for
- * @param wheel what is known of a wheel under construction
- * @param origin place of the instruction that made the object, so that its constructor call can be found; −1 if none
+ * @param axle what is known of a wheel under construction
  */
-record Clue(int size, Kind kind, String text, double number, SortedSet<String> ports, Axle wheel, int origin) implements Value {
-    enum Kind { UNKNOWN, NUMBER, TEXT, PORT, DEVICE, WHEEL, OBJECT }
-
-    /** A wheel under construction: offset and track width are NaN until known. */
-    record Axle(double diameter, double offset, double track, double gear) {}
+record Clue(int size, Kind kind, String text, double number, SortedSet<String> ports, Axle axle) implements Value {
+    /** Of a counter in a loop only that it varies is known; a container is an array, a list or a map. */
+    enum Kind { UNKNOWN, NUMBER, COUNTER, TEXT, PORT, DEVICE, WHEEL, OBJECT, CONTAINER }
 
     private static final SortedSet<String> NO_PORTS = new TreeSet<>();
+    private static final String PORT = "[A-D]|S[1-4]";
 
     static Clue unknown(int size) {
-        return new Clue(size, Kind.UNKNOWN, "", Double.NaN, NO_PORTS, null, -1);
+        return new Clue(size, Kind.UNKNOWN, "", Double.NaN, NO_PORTS, null);
     }
 
     static Clue number(int size, double value) {
-        return new Clue(size, Kind.NUMBER, "", value, NO_PORTS, null, -1);
+        return new Clue(size, Kind.NUMBER, "", value, NO_PORTS, null);
     }
 
+    static Clue counter() {
+        return new Clue(1, Kind.COUNTER, "", Double.NaN, NO_PORTS, null);
+    }
+
+    /** A string; one that names a port stands for it. */
     static Clue text(String value) {
-        return new Clue(1, Kind.TEXT, value, Double.NaN, NO_PORTS, null, -1);
+        return new Clue(1, Kind.TEXT, value, Double.NaN, isPort(value) ? new TreeSet<>(Set.of(value)) : NO_PORTS, null);
+    }
+
+    static Clue port(SortedSet<String> names) {
+        return new Clue(1, Kind.PORT, "", Double.NaN, names, null);
     }
 
     static Clue port(String name) {
-        return new Clue(1, Kind.PORT, "", Double.NaN, new TreeSet<>(java.util.Set.of(name)), null, -1);
+        return port(new TreeSet<>(Set.of(name)));
     }
 
     static Clue device(String lejosClass, SortedSet<String> ports) {
-        return new Clue(1, Kind.DEVICE, lejosClass, Double.NaN, ports, null, -1);
+        return new Clue(1, Kind.DEVICE, lejosClass, Double.NaN, ports, null);
     }
 
     static Clue wheel(SortedSet<String> ports, Axle axle) {
-        return new Clue(1, Kind.WHEEL, "", Double.NaN, ports, axle, -1);
+        return new Clue(1, Kind.WHEEL, "", Double.NaN, ports, axle);
     }
 
-    static Clue object(String type, int origin) {
-        return new Clue(1, Kind.OBJECT, type, Double.NaN, NO_PORTS, null, origin);
+    /** An object made by an instruction; what its constructor makes of it is kept under the instruction's name. */
+    static Clue object(String instruction) {
+        return new Clue(1, Kind.OBJECT, instruction, Double.NaN, NO_PORTS, null);
+    }
+
+    static Clue container(String instruction) {
+        return new Clue(1, Kind.CONTAINER, instruction, Double.NaN, NO_PORTS, null);
+    }
+
+    static boolean isPort(String name) {
+        return name.matches(PORT);
     }
 
     @Override public int getSize() {
@@ -60,18 +77,22 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         return kind != Kind.UNKNOWN;
     }
 
+    boolean is(Kind other) {
+        return kind == other;
+    }
+
     /** What both have in common: the same knowledge, or any of their ports. */
     Clue or(Clue other) {
-        if (equals(other) || !other.known()) {
+        if (equals(other) || !other.known() || is(Kind.COUNTER)) {
             return this;
         }
-        if (!known()) {
+        if (!known() || other.is(Kind.COUNTER)) {
             return other;
         }
-        if (kind == other.kind && (kind == Kind.PORT || kind == Kind.DEVICE && Objects.equals(text, other.text))) {
+        if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.DEVICE) && Objects.equals(text, other.text))) {
             SortedSet<String> both = new TreeSet<>(ports);
             both.addAll(other.ports);
-            return new Clue(size, kind, text, number, both, wheel, -1);
+            return new Clue(size, kind, text, number, both, axle);
         }
         return this;
     }

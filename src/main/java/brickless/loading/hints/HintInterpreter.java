@@ -9,13 +9,13 @@ import org.objectweb.asm.tree.FieldInsnNode;
 import org.objectweb.asm.tree.IntInsnNode;
 import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
-import org.objectweb.asm.tree.TypeInsnNode;
 import org.objectweb.asm.tree.analysis.Interpreter;
 
 /** Interprets one method symbolically; what it finds goes into {@link Facts}. */
 final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
     private final Facts facts;
     private final LejosCalls calls;
+    private final JdkCollections collections;
     private final String method;
     private final Map<AbstractInsnNode, Integer> places;
     private int parameter;
@@ -24,6 +24,7 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         super(ASM9);
         this.facts = facts;
         this.calls = new LejosCalls(facts);
+        this.collections = new JdkCollections(facts);
         this.method = method;
         this.places = places;
     }
@@ -63,7 +64,11 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         if (opcode == GETSTATIC) {
             return field((FieldInsnNode) instruction);
         }
-        return opcode == NEW ? Clue.object(((TypeInsnNode) instruction).desc, places.get(instruction)) : Clue.unknown(1);
+        return opcode == NEW ? Clue.object(nameOf(instruction)) : Clue.unknown(1);
+    }
+
+    private String nameOf(AbstractInsnNode instruction) {
+        return method + "@" + places.get(instruction);
     }
 
     static Clue ofConstant(Object constant) {
@@ -88,10 +93,10 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
     }
 
     private Clue resolved(Clue value) {
-        if (value.kind() != Clue.Kind.OBJECT) {
+        if (!value.is(Clue.Kind.OBJECT)) {
             return value;
         }
-        Clue made = facts.at(method + "@" + value.origin());
+        Clue made = facts.at(value.text());
         return made == null ? value : made;
     }
 
@@ -100,11 +105,15 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
             case INEG, FNEG, LNEG, DNEG:
                 return arithmetic(value.size(), -value.number());
             case I2L, I2D, F2D, F2L, L2D, D2L:
-                return arithmetic(instruction.getOpcode() == L2D || instruction.getOpcode() == D2L ? 2 : 2, value.number());
+                return arithmetic(2, value.number());
             case I2F, L2I, L2F, F2I, D2I, D2F:
                 return arithmetic(1, value.number());
             case CHECKCAST:
                 return resolved(value);
+            case IINC:
+                return Clue.counter();
+            case NEWARRAY, ANEWARRAY:
+                return Clue.container(nameOf(instruction));
             case PUTSTATIC:
                 put((FieldInsnNode) instruction, value);
                 return null;
@@ -138,18 +147,24 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
             case PUTFIELD:
                 put((FieldInsnNode) instruction, b);
                 return null;
-            case LALOAD, DALOAD:
-                return Clue.unknown(2);
+            case IALOAD, FALOAD, AALOAD, LALOAD, DALOAD:
+                return element(a, b, instruction.getOpcode() == LALOAD || instruction.getOpcode() == DALOAD ? 2 : 1);
+            case LCMP, FCMPL, FCMPG, DCMPL, DCMPG, BALOAD, CALOAD, SALOAD:
+                return Clue.unknown(1);
             default:
-                return Clue.unknown(instruction.getOpcode() == LREM || instruction.getOpcode() == DREM || instruction.getOpcode() == LDIV ? 2 : wide(a));
+                return Clue.unknown(a.size());
         }
     }
 
-    private static int wide(Clue value) {
-        return value.size();
+    private Clue element(Clue array, Clue index, int size) {
+        Clue held = array.is(Clue.Kind.CONTAINER) ? facts.get(array, index) : null;
+        return held == null || held.size() != size ? Clue.unknown(size) : held;
     }
 
-    @Override public Clue ternaryOperation(AbstractInsnNode instruction, Clue a, Clue b, Clue c) {
+    @Override public Clue ternaryOperation(AbstractInsnNode instruction, Clue array, Clue index, Clue value) {
+        if (array.is(Clue.Kind.CONTAINER)) {
+            facts.put(array, index, resolved(value));
+        }
         return null;
     }
 
@@ -163,18 +178,23 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
             facts.learn(call.owner + "." + call.name + call.desc + "#" + (i - first), arguments.get(i));
         }
         if (call.name.equals("<init>")) {
-            Clue made = calls.constructed(call, arguments);
-            if (made != null && values.get(0).kind() == Clue.Kind.OBJECT) {
-                facts.learn(method + "@" + values.get(0).origin(), made);
-            }
+            constructed(call, values.get(0), arguments);
             return null;
         }
         Clue answer = calls.returned(call, arguments);
+        answer = answer == null ? collections.returned(call, arguments, nameOf(call)) : answer;
         if (answer == null) {
             answer = facts.at(call.owner + "." + call.name + call.desc);
         }
         int size = Type.getReturnType(call.desc).getSize();
         return size == 0 ? null : answer == null || answer.size() != size ? Clue.unknown(size) : answer;
+    }
+
+    private void constructed(MethodInsnNode call, Clue object, List<Clue> arguments) {
+        Clue made = calls.constructed(call, arguments);
+        if (object.is(Clue.Kind.OBJECT)) {
+            facts.learn(object.text(), made == null ? collections.constructed(call, arguments, object.text()) : made);
+        }
     }
 
     @Override public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {
