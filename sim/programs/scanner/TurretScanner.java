@@ -22,7 +22,7 @@ public class TurretScanner {
             head.rotateTo(angle);
             Delay.msDelay(100);
             distance.fetchSample(sample, 0);
-            System.out.println(angle + " " + Math.round(sample[0] * 1000));
+            System.out.println(angle + " " + (Float.isInfinite(sample[0]) ? "none" : Math.round(sample[0] * 1000)));
             if (sample[0] > farthest && !Float.isInfinite(sample[0])) {
                 farthest = sample[0];
                 best = angle;
