@@ -30,6 +30,8 @@ final class Fibre {
     int yields;
     /** Call depth while another fibre runs. */
     int depth;
+    /** Static initialisers of the JVM's own that run on the fibre's stack: it keeps the processor until they end. */
+    int nativeInitialisers;
     /** How often the fibre blocked. */
     long blocks;
     /** The monitor waited for or in, while BLOCKED or WAITING. */

@@ -182,6 +182,11 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     @Override
+    public void nativeInitialiser(boolean begins) {
+        scheduler.nativeInitialiser(begins);
+    }
+
+    @Override
     public void monitorEnter(Object lock) {
         monitors.enter(lock);
     }

@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.kernel.hooks.NamedMonitor;
 import java.util.Arrays;
 import java.util.List;
 
@@ -66,9 +67,14 @@ final class ThreadDump {
     }
 
     private void appendLock(Fibre fibre) {
-        Object lock = fibre.monitor.lock;
-        text.append(" on ")
-                .append(lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName());
+        text.append(" on ").append(nameOf(fibre.monitor.lock));
+    }
+
+    private static String nameOf(Object lock) {
+        if (lock instanceof NamedMonitor named) {
+            return named.monitorName();
+        }
+        return lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName();
     }
 
     private static String name(Fibre fibre) {

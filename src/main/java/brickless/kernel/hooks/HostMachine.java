@@ -30,6 +30,11 @@ final class HostMachine implements VirtualMachine {
     }
 
     @Override
+    public void nativeInitialiser(boolean begins) {
+        // The host's threads wait for each other as they should.
+    }
+
+    @Override
     public boolean killing() {
         return false;
     }
