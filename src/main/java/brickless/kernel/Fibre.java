@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.kernel.hooks.OwnedLock;
 import java.util.function.Consumer;
 
 /**
@@ -38,6 +39,8 @@ final class Fibre {
     Monitor monitor;
     /** How often the fibre was woken for that monitor and found it taken. */
     int bypassed;
+    /** The lock, built on monitors, that the fibre waits for in whatever it does now; null for none. */
+    OwnedLock blocker;
     /** The fibre waited for, while JOINING. */
     Fibre joined;
 

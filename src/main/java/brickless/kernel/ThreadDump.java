@@ -58,11 +58,20 @@ final class ThreadDump {
                     text.append(" held by ").append(name(fibre.monitor.owner));
                 }
             }
-            case WAITING -> appendLock(fibre);
+            case WAITING -> appendWait(fibre);
             case JOINING -> text.append(" for the end of ").append(name(fibre.joined));
             case SIGNAL, SIGNAL_INTERRUPTIBLY -> text.append(" for a device");
             case EXITING -> text.append(" for shutdown hooks");
             default -> { }
+        }
+    }
+
+    private void appendWait(Fibre fibre) {
+        if (fibre.blocker == null) {
+            appendLock(fibre);
+        } else {
+            Thread owner = fibre.blocker.lockOwner();
+            text.append(" for a lock").append(owner == null ? "" : " held by \"" + owner.getName() + '"');
         }
     }
 

@@ -25,6 +25,9 @@ public interface VirtualMachine {
      */
     void nativeInitialiser(boolean begins);
 
+    /** The lock that the calling thread will wait for until it has it, null when that is over. */
+    void waitsFor(OwnedLock lock);
+
     /** Acquires the virtual monitor of {@code lock}; blocks. Throws NullPointerException like the bytecode would. */
     void monitorEnter(Object lock);
 
