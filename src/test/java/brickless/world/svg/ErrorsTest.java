@@ -18,7 +18,7 @@ class ErrorsTest {
                 + "did you mean fixed?; allowed: fixed, movable, none",
         "<rect data-sold='fixed' width='9' height='9'/> | test.svg:2: <rect>: unknown attribute data-sold; did you "
                 + "mean data-solid?; allowed in a world file: data-ambient-lux, "
-            + "data-beacon",
+                + "data-beacon",
         "<rect data-port='A' width='9' height='9'/> | test.svg:2: <rect>: data-port belongs in a robot file, this is "
                 + "a world file",
         "<rect data-beacon='5' width='9' height='9'/> | test.svg:2: <rect>: data-beacon=\"5\" is not a number in "
