@@ -5,6 +5,7 @@ import brickless.kernel.Ensemble;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.program.Program;
+import brickless.trace.TraceListener;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Locale;
@@ -34,7 +35,7 @@ public final class KernelCost {
         Program program = Program.onClassPath(TwoPollers.class.getName());
         SimulationSettings settings = ExamplePrograms.settings("pen").build();
         List<Crew.Member> crew = new Crew(settings, program).members();
-        Stage stage = new Stage(settings, program, crew);
+        Stage stage = new Stage(settings, program, crew, TraceListener.NONE);
         Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L).withBackend(backend)
                 .withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
