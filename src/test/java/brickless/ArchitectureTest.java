@@ -42,7 +42,7 @@ class ArchitectureTest {
         TABLE.put("brickless.hardware", List.of());
         TABLE.put("brickless.kernel.hooks", List.of());
         TABLE.put("brickless.kernel", List.of("brickless.kernel.hooks", "jdk.internal.vm"));
-        TABLE.put("brickless.concurrent", List.of("brickless.concurrent.."));
+        TABLE.put("brickless.concurrent", List.of("brickless.concurrent..", "brickless.kernel.hooks"));
         TABLE.put("brickless.loading", List.of("brickless.loading..", "brickless.kernel.hooks", "org.objectweb.asm.."));
         TABLE.put("brickless.units", List.of());
         TABLE.put("brickless.world", List.of("brickless.units"));
