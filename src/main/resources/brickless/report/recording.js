@@ -133,10 +133,14 @@ class Recording {
     this.log = new EventLog(this.events);
     const last = this.events.length > 0 ? this.events[this.events.length - 1].t : 0;
     this.duration = Math.max(size > 0 ? this.times[size - 1] : 0, last, 1e-3);
-    this.robots = data.robots.map((robot) => new RecordedRobot(robot, this.times,
-      data.scene.robots.find((one) => one.name === robot.name), this.events.filter((event) => event.robot === robot.name)));
+    this.robots = data.robots.map((robot) => this.makeRobot(robot, data.scene.robots.find((one) => one.name === robot.name),
+      this.events.filter((event) => event.robot === robot.name)));
     this.bodies = data.bodies.map((body) => ({id: body.id, track: new Track(body, this.times)}));
     this.arbitrations = this.robots.flatMap((robot) => Arbitration.all(robot, this.duration));
+  }
+
+  makeRobot(data, scene, events) {
+    return new RecordedRobot(data, this.times, scene, events);
   }
 
   /** Index of the sample that counts at a time. */
