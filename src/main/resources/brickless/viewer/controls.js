@@ -130,7 +130,7 @@ class Controls {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || inField(event)) {
       return;
     }
-    const onButton = event.target.closest('button, a, [role=button]') && event.key === ' ';
+    const onButton = event.target.closest('button, a, .touch-sensor') && event.key === ' ';
     const action = onButton ? null : this.action(event);
     if (action) {
       event.preventDefault();

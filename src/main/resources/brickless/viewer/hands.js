@@ -36,7 +36,7 @@ class Handle {
     this.bin = svg('g', {class: 'bin', role: 'button', 'aria-label': `Take ${name} away`}, svg('circle'), svg('path', {d: 'M-3.5,-3.500L3.5,3.5M3.5,-3.500L-3.5,3.5'}));
     this.reach = reach;
     this.tools = svg('g', {class: 'handle-tools'}, this.knob, ...(removable ? [this.bin] : []));
-    this.node = svg('g', {class: 'handle', role: 'button', tabindex: 0, 'data-name': name,
+    this.node = svg('g', {class: 'handle', role: 'button', 'aria-roledescription': 'movable', tabindex: 0, 'data-name': name,
       'aria-label': `${name}: drag it; arrow keys move it, comma and full stop turn it${removable ? ', Delete takes it away' : ''}`}, this.shape, this.tools);
     this.listen();
   }
@@ -91,6 +91,7 @@ class Handle {
     event.stopPropagation();
     event.preventDefault();
     this.hands.choose(this);
+    this.sent = null;
     const from = this.hands.point(event);
     const start = this.pose;
     const bearing = (point) => Math.atan2(point.y - start.y, point.x - start.x) * 180 / Math.PI;
@@ -129,13 +130,16 @@ class Handle {
   }
 
   change(pose) {
+    this.sent = null;
     this.drag(pose);
     this.drop();
   }
 
   remove() {
     if (this.removable) {
+      this.hands.next.delete(this.name);
       this.hands.touch(`remove ${this.name}`);
+      this.node.blur();
       this.hands.choose(null);
     }
   }
@@ -220,6 +224,7 @@ class Hands {
     if (this.chosen !== handle) {
       this.chosen = handle;
       this.handles.forEach((one) => one.node.classList.toggle('chosen', one === handle));
+      this.handles.filter((one) => one !== handle).forEach((one) => one.node.blur());
       if (handle && !handle.removable) {
         this.onChoose(handle.name);
       }
@@ -232,7 +237,11 @@ class Hands {
 
   /** Sends where a thing was put, at most ten times a second, the newest place only. */
   move(handle) {
-    this.next.set(handle.name, handle.stimulus());
+    const stimulus = handle.stimulus();
+    if (stimulus !== handle.sent) {
+      handle.sent = stimulus;
+      this.next.set(handle.name, stimulus);
+    }
     this.sending = this.sending || this.sendMoves().finally(() => {
       this.sending = null;
     });

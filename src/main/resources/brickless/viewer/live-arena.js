@@ -6,7 +6,7 @@ const PIECE_POINTS = 150;
 /** The way of one robot as it gets longer. */
 class GrowingPath {
   constructor(root, robot, colour) {
-    this.group = svg('g', {fill: 'none', stroke: colour, 'stroke-width': 6, 'stroke-linejoin': 'round', 'stroke-linecap': 'round', opacity: 0.75});
+    this.group = svg('g', {fill: 'none', stroke: colour, 'stroke-width': 8, 'stroke-linejoin': 'round', 'stroke-linecap': 'round', opacity: 0.75});
     root.append(this.group);
     this.last = null;
     this.points = [];

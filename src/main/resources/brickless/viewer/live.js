@@ -196,7 +196,7 @@ class LiveView {
     const keyOf = (event) => (event.ctrlKey || event.metaKey || event.altKey || inField(event) ? null : BRICK_KEYS[event.key]);
     const held = new Map();
     document.addEventListener('keydown', (event) => {
-      const key = event.key === 'Enter' && event.target.closest('button, a, [role=button]') ? null : keyOf(event);
+      const key = event.key === 'Enter' && event.target.closest('button, a') ? null : keyOf(event);
       if (key && this.recording) {
         event.preventDefault();
         if (!event.repeat) {

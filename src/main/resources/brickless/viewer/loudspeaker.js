@@ -28,7 +28,6 @@ class Loudspeaker {
   mute(muted) {
     this.muted = muted;
     this.hush();
-    this.wake();
   }
 
   hush() {
