@@ -4,6 +4,7 @@ class Holds {
   constructor(link) {
     this.link = link;
     this.held = new Map();
+    this.viewer = 0;
     globalThis.addEventListener('blur', () => this.releaseAll());
     globalThis.addEventListener('pagehide', () => this.releaseAll());
     document.addEventListener('visibilitychange', () => document.hidden && this.releaseAll());
@@ -13,18 +14,22 @@ class Holds {
     const key = `${robot} ${what}`;
     if (!this.held.has(key)) {
       this.held.set(key, {robot, what});
-      this.link.send({do: 'hold', robot, what, down: true});
+      this.send(robot, what, true);
     }
   }
 
   release(robot, what) {
     if (this.held.delete(`${robot} ${what}`)) {
-      this.link.send({do: 'hold', robot, what, down: false});
+      this.send(robot, what, false);
     }
   }
 
+  send(robot, what, down) {
+    this.link.send({do: 'hold', robot, what, down, viewer: this.viewer});
+  }
+
   releaseAll() {
-    this.forget().forEach(({robot, what}) => this.link.send({do: 'hold', robot, what, down: false}));
+    this.forget().forEach(({robot, what}) => this.send(robot, what, false));
     document.querySelectorAll('.held').forEach((node) => node.dispatchEvent(new Event('letgo')));
   }
 

@@ -5,7 +5,7 @@ const SILENCE_MILLIS = 5000;
 const RETRY_MILLIS = 700;
 
 class Link {
-  /** `handlers` by message: begin, sample, events, frame, state; and `lost()`, `refused(sentence)`. */
+  /** `handlers` by message: begin, sample, events, frame, state; and `lost()`, `refused(sentence, action)`. */
   constructor(handlers) {
     this.handlers = handlers;
     this.queue = Promise.resolve();
@@ -61,11 +61,11 @@ class Link {
       const answer = await fetch('do', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(action), keepalive: true});
       if (!answer.ok) {
         const {error} = await answer.json().catch(() => ({error: `The server answered ${answer.status}.`}));
-        this.handlers.refused(error);
+        this.handlers.refused(error, action);
       }
     } catch (problem) {
       if (this.connected) {
-        this.handlers.refused(`That did not reach the run: ${problem.message}`);
+        this.handlers.refused(`That did not reach the run: ${problem.message}`, action);
       }
     }
   }

@@ -53,6 +53,7 @@ class LiveArena extends Arena {
     this.stage.setAttribute('role', 'group');
     this.stage.setAttribute('aria-label', 'Arena');
     this.sensing = new Sensing(this.plane('sensing'));
+    this.labels = recording.robots.length > 1 ? this.nameRobots(this.plane('labels')) : [];
   }
 
   /** A plane over the drawings that the page's style reaches. */
@@ -71,6 +72,9 @@ class LiveArena extends Arena {
       this.paths[i].add(pose);
       this.drawings[i].place(pose);
       this.turn(this.drawings[i], one.parts || []);
+      if (this.labels[i]) {
+        this.labels[i].setAttribute('transform', `translate(${pose.x.toFixed(1)} ${pose.y.toFixed(1)})`);
+      }
     });
     this.displacements = new Map(frame.bodies.map((body) => [body.id, {x: body.x * 1000, y: body.y * 1000, heading: body.heading}]));
     for (const {id} of this.recording.scene.bodies) {
@@ -79,6 +83,17 @@ class LiveArena extends Arena {
     this.sensing.show(frame.robots);
     this.showHit(frame.t);
     this.describe(frame.t);
+  }
+
+  /** Several robots are told apart by their names in the colours of their paths. */
+  nameRobots(plane) {
+    const size = this.recording.scene.bounds[2] / 50;
+    return this.recording.robots.map((robot, i) => {
+      const label = svg('text', {class: 'robot-label', 'font-size': size, y: -size * 3.6, fill: robotColour(robot, i)});
+      label.textContent = robot.name;
+      plane.append(label);
+      return label;
+    });
   }
 
   turn(drawing, parts) {
@@ -105,12 +120,9 @@ class LiveArena extends Arena {
   }
 
   describe() {
-    const words = this.recording.robots.map((robot) => {
-      const pose = this.poses.get(robot.name);
-      const name = this.recording.robots.length > 1 ? `${robot.name} ` : '';
-      return pose ? `${name}${number(pose.x)}, ${number(pose.y)} mm, ${number(((pose.heading % 360) + 540) % 360 - 180)}°` : '';
-    });
-    setText(this.caption, words.join('  ·  '));
+    const pose = this.chosen && this.poses.get(this.chosen.name);
+    const name = this.recording.robots.length > 1 && this.chosen ? `${this.chosen.name} ` : '';
+    setText(this.caption, pose ? `${name}${number(pose.x)}, ${number(pose.y)} mm, ${number(((pose.heading % 360) + 540) % 360 - 180)}°` : '');
   }
 
   poseOf(robot) {

@@ -19,7 +19,7 @@ class LiveView {
       frame: (frame) => this.frame(frame),
       state: (state) => this.state(state),
       lost: () => this.lost(),
-      refused: (sentence) => this.notices.flash(sentence),
+      refused: (sentence, action) => this.refused(sentence, action),
     });
     this.holds = new Holds(this.link);
     this.tools = new Tools(panel('tools'), this.link, (what, down) => this.press(what, down));
@@ -39,13 +39,14 @@ class LiveView {
 
   /** A run from its beginning until now: at first, after a restart, after a lost connection. */
   begin(data) {
-    const chosen = this.robot && data.session !== undefined ? this.robot.name : null;
+    const chosen = this.robot ? this.robot.name : null;
     this.recording = new LiveRecording({...data.recording, scene: data.scene, header: data.header, summary: null});
     this.robot = this.recording.robot(chosen) || this.recording.robots[0];
     this.pendingFrame = null;
     this.time = 0;
     this.plotted = -1;
     this.holds.forget();
+    this.holds.viewer = data.viewer || 0;
     this.notices.hide('lost');
     if (this.hands) {
       this.hands.close();
@@ -57,7 +58,6 @@ class LiveView {
     this.hands = new Hands(this.arena, this.link, this.holds, (name) => this.choose(name));
     this.lists = new LiveLists(panel('lists'), this.recording);
     this.controls.begin(data);
-    this.tools.set = false;
     this.robotPanels();
     document.body.dataset.state = 'ready';
     document.body.dataset.link = 'up';
@@ -78,6 +78,8 @@ class LiveView {
         ...recording.robots.map((one) => html('option', {selected: one === robot}, one.name)));
       panel('brick').append(choice);
     }
+    this.arena.chosen = robot;
+    this.tools.choose(robot, robot === recording.robots[0]);
     this.brick = new LiveBrick(panel('brick'), recording, robot, (what, down) => this.press(what, down));
     this.timelinePanel();
     this.plots = new LivePlots(panel('plots'), recording, robot, this.group, this.chosenPlots);
@@ -142,6 +144,13 @@ class LiveView {
     notice('message', 'bad', state.message, restart);
     notice('error', 'bad', state.ended && state.ended.error, restart);
     this.schedule();
+  }
+
+  /** A failed restart tells why in the state, to all viewers. */
+  refused(sentence, action) {
+    if (action.do !== 'restart') {
+      this.notices.flash(sentence);
+    }
   }
 
   lost() {

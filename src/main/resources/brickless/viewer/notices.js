@@ -13,12 +13,14 @@ class Notices {
     const [first, ...rest] = text.split('\n');
     const words = html('div', {class: 'notice-text'}, html('p', {}, first), rest.length > 0 ? html('pre', {}, rest.join('\n')) : null);
     const buttons = actions.map(([label, action]) => html('button', {type: 'button', class: 'push-button', on: {click: action}}, label));
-    const key = `${tone} ${text} ${actions.length}`;
+    const key = `${tone} ${text}`;
     if (this.shown.has(kind) && this.shown.get(kind).key === key) {
       return;
     }
     this.hide(kind);
-    const node = html('div', {class: `notice ${tone}`, 'data-notice': kind, role: tone === 'bad' ? 'alert' : 'status'}, words, ...buttons);
+    const close = iconButton('Close', icon('M5 5l10 10M15 5L5 15'), () => node.remove(), 'flat close');
+    const node = html('div', {class: `notice ${tone}`, 'data-notice': kind, role: tone === 'bad' ? 'alert' : 'status'}, words,
+      html('div', {class: 'notice-buttons'}, ...buttons, ...(kind === 'lost' ? [] : [close])));
     this.host.append(node);
     this.shown.set(kind, {key, node});
   }

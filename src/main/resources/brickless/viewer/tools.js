@@ -79,7 +79,14 @@ class Tools {
 
   setBattery() {
     this.set = true;
-    this.link.send({do: 'touch', stimulus: `battery ${Number(this.battery.value).toFixed(1)}V`});
+    this.link.send({do: 'touch', stimulus: `battery ${Number(this.battery.value).toFixed(1)}V${this.whose}`});
+  }
+
+  /** Whose battery it is. */
+  choose(robot, first) {
+    this.whose = first ? '' : ` on ${robot.name}`;
+    this.set = this.set && this.robot === robot;
+    this.robot = robot;
   }
 
   label() {
