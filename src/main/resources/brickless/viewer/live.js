@@ -157,7 +157,9 @@ class LiveView {
     document.body.dataset.link = 'lost';
     this.holds.forget();
     this.loudspeaker.hush();
-    if (this.recording) {
+    if (!this.recording) {
+      setText(panel('loading'), 'The run does not answer; trying again …');
+    } else {
       this.notices.show('lost', 'bad', 'The connection to the run is lost; trying again …');
     }
   }
