@@ -120,7 +120,7 @@ final class RunOptions {
         append(words, "--seed", seed == 1 ? null : String.valueOf(seed));
         append(words, "--stimuli", stimuli == null ? null : stimuli.toString());
         append(words, "--buttons", buttons == Buttons.AUTO ? null : "none");
-        append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
+        append(words, "--until", goal == null ? null : goal.text());
         return words.append(ideal ? " --ideal" : "").toString();
     }
 

@@ -141,7 +141,7 @@ final class Stage {
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
         RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
-                settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
+                settings.goal(), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
                 Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, robots).write(report));

@@ -93,6 +93,7 @@ class RecordedRobot {
       port: sensor.port,
       kind: sensor.kind,
       values: sensor.values.map(column),
+      modes: sensorModes(events, sensor.port, sensor.kind),
     }));
     this.events = events;
     this.screen = new ScreenHistory(events.filter((event) => event.type === 'screen'));
