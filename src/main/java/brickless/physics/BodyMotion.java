@@ -15,14 +15,19 @@ final class BodyMotion {
     double sin;
     double inverseMass;
     double inverseInertia;
+    private final Rotation rotation;
     private double centreX;
     private double centreY;
+
+    BodyMotion(Rotation rotation) {
+        this.rotation = rotation;
+    }
 
     void begin(Body body, Position position) {
         inverseMass = body.m_invMass;
         inverseInertia = body.m_invI == 0 ? 0 : 1 / Decimetres.inertia(1 / body.m_invI);
-        cos = StrictMath.cos(position.a);
-        sin = StrictMath.sin(position.a);
+        cos = rotation.to(position.a).cos();
+        sin = rotation.sin();
         centreX = Decimetres.metres(body.m_sweep.localCenter.x);
         centreY = Decimetres.metres(body.m_sweep.localCenter.y);
     }
