@@ -31,7 +31,6 @@ final class Stage {
     /** Time between samples of the trace: 50 ms is smooth enough for replays and small enough for long runs. */
     static final long SAMPLE_NANOS = 50_000_000;
 
-    private static final Pose2 NOWHERE = new Pose2(0, 0, 0);
     /** Obstacles that moved less, metres or radians, count as unmoved. */
     private static final double LEAST_DISPLACEMENT = 1e-3;
 
@@ -137,15 +136,17 @@ final class Stage {
     private List<BodySample> bodies() {
         List<BodySample> bodies = new ArrayList<>();
         for (ObstacleBody obstacle : arena.obstacles()) {
-            Pose2 displacement = obstacle.description().movable() ? obstacle.displacement() : NOWHERE;
-            if (displaced(displacement)) {
-                bodies.add(new BodySample(obstacle.name(), displacement));
+            if (obstacle.movable() && obstacle.displaced()) {
+                Pose2 displacement = obstacle.displacement();
+                if (noticeable(displacement)) {
+                    bodies.add(new BodySample(obstacle.name(), displacement));
+                }
             }
         }
         return bodies;
     }
 
-    private static boolean displaced(Pose2 displacement) {
+    private static boolean noticeable(Pose2 displacement) {
         return Math.abs(displacement.x()) > LEAST_DISPLACEMENT || Math.abs(displacement.y()) > LEAST_DISPLACEMENT
                 || Math.abs(displacement.headingRadians()) > LEAST_DISPLACEMENT;
     }
