@@ -7,6 +7,9 @@ import brickless.units.Angles;
 import brickless.world.Beacon;
 import brickless.world.Rgb;
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
 final class InfraredSensor extends UartSensor implements RayFan.Visitor {
@@ -115,6 +118,23 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor {
         int at = 2 * (beacon.channel() - 1);
         seek[at] = (byte) Math.max(-LARGEST_HEADING, Math.min(LARGEST_HEADING, heading));
         seek[at + 1] = (byte) Math.max(0, Math.min(100, range));
+    }
+
+    @Override Optional<SensorBeam> beam() {
+        return switch (mode()) {
+            case PROXIMITY -> Optional.of(fan.seen(site(),
+                    proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
+            case SEEK -> Optional.of(towardsBeacons());
+            default -> Optional.empty();
+        };
+    }
+
+    /** A ray towards each beacon that is seen, as bearing and distance tell. */
+    private SensorBeam towardsBeacons() {
+        int[] seen = IntStream.range(0, CHANNELS).filter(channel -> seek[2 * channel + 1] != NO_BEACON).toArray();
+        double[] turns = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel] * FULL_BEARING / LARGEST_HEADING).toArray();
+        double[] lengths = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel + 1] * SEEK_REACH / 100).toArray();
+        return SensorBeam.of(aim(), turns, lengths, DoubleStream.of(lengths).min().orElse(Double.POSITIVE_INFINITY));
     }
 
     /** Whether something stands in front of a beacon; the obstacle in which the beacon itself is does not count. */

@@ -14,6 +14,8 @@ final class RayFan {
     private final int rays;
     private final double spacing;
     private final double reach;
+    private final double[] turns;
+    private final double[] reached;
     private final RayHit hit = new RayHit();
 
     /** Told what rays meet. */
@@ -29,18 +31,29 @@ final class RayFan {
         this.rays = rays;
         this.spacing = 2 * halfAngleRadians / (rays - 1);
         this.reach = reachMetres;
+        this.turns = new double[rays];
+        this.reached = new double[rays];
+        for (int i = 0; i < rays; i++) {
+            turns[i] = (i - rays / 2) * spacing;
+        }
     }
 
     /** Casts all rays from a sensor's present place. */
     void cast(SensorSite site, Visitor visitor) {
         Aim aim = site.aim();
         for (int i = 0; i < rays; i++) {
-            ray(site, aim, (i - rays / 2) * spacing, visitor);
+            ray(site, aim, turns[i], visitor);
+            reached[i] = Math.min(reach, hit.distanceMetres());
         }
         List<ObstacleBody> obstacles = site.surroundings().arena().obstacles();
         for (int i = 0; i < obstacles.size(); i++) {
             slender(site, aim, obstacles.get(i), visitor);
         }
+    }
+
+    /** The evenly spread rays of the last cast, for those who look at the sensor. */
+    SensorBeam seen(SensorSite site, double metres) {
+        return SensorBeam.of(site.aim(), turns, reached, metres);
     }
 
     private void slender(SensorSite site, Aim aim, ObstacleBody obstacle, Visitor visitor) {

@@ -31,6 +31,11 @@ final class SoundBeam implements RayFan.Visitor {
         }
     }
 
+    /** The rays of the last measurement. */
+    SensorBeam seen(SensorSite site, double metres) {
+        return fan.seen(site, metres);
+    }
+
     /** Walls throw sound back like mirrors; robots are so rugged that some always comes back (assumption). */
     private static boolean echoes(RayHit hit) {
         return !(hit.solid() instanceof ObstacleBody obstacle)
