@@ -140,6 +140,9 @@ final class RobotSession {
             RobotModel.Turret turret = model.turrets().get(i);
             parts.add(new Frame.Part(turret.id(), (char) ('A' + turret.port()), body.turretAngleRadians(i)));
         }
+        for (RobotModel.Claw claw : model.claws()) {
+            parts.add(new Frame.Part(claw.id(), (char) ('A' + claw.port()), body.shaft(claw.port()).angleRadians()));
+        }
         List<Frame.Beam> beams = new ArrayList<>();
         List<Frame.Spot> spots = new ArrayList<>();
         for (int i = 0; i < 4; i++) {
