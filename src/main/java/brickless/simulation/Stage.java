@@ -69,7 +69,7 @@ final class Stage {
     /** Everybody has entered. */
     void begin() {
         stimulator.drive(robots);
-        sample();
+        sample(0);
     }
 
     long stepNanos() {
@@ -109,11 +109,12 @@ final class Stage {
             robots.get(i).afterStep(timeNanos);
         }
         if (timeNanos % SAMPLE_NANOS == 0) {
-            sample();
+            sample(timeNanos);
         }
     }
 
-    private void sample() {
+    /** Records the state after the last step; programs may have got a little further since. */
+    private void sample(long timeNanos) {
         List<BodySample> bodies = new ArrayList<>();
         for (ObstacleBody obstacle : arena.obstacles()) {
             Pose2 displacement = obstacle.description().movable() ? obstacle.displacement() : NOWHERE;
@@ -121,7 +122,7 @@ final class Stage {
                 bodies.add(new BodySample(obstacle.name(), displacement));
             }
         }
-        recorder.sample(new Sample(now, robots.stream().map(robot -> robot.sample(now)).toList(), bodies));
+        recorder.sample(new Sample(timeNanos, robots.stream().map(robot -> robot.sample(now)).toList(), bodies));
     }
 
     private static boolean displaced(Pose2 displacement) {
@@ -134,7 +135,7 @@ final class Stage {
         double wallSeconds = wallClock.elapsedSeconds();
         robots.forEach(RobotSession::finish);
         if (now % SAMPLE_NANOS != 0) {
-            sample();
+            sample(Math.max(now, outcome.timeNanos()));
         }
         recorder.event(outcome.timeNanos(), robots.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         String hash = recorder.finish();
