@@ -45,6 +45,12 @@ class MovePlanTest {
         assertThat(plan.target()).isZero();
     }
 
+    @Test void standingStillNeedsNoAcceleration() {
+        MovePlan plan = plan(30, 0, 0, 0, 30);
+        assertThat(plan.empty()).isTrue();
+        assertThat(plan.target()).isEqualTo(30);
+    }
+
     @Test void endlessMoveSpeedsUpAndRunsOn() {
         MovePlan plan = plan(0, 0, 360, 6000, ENDLESS);
         assertThat(plan.cruiseMillis()).isEqualTo(60);
