@@ -49,8 +49,9 @@ final class MovePlan {
     /** Plans a request from position p with velocity u. */
     static MovePlan of(MoveRequest request, float p, float u) {
         float v = request.speedDegreesPerSecond();
-        float a = request.accelerationDegreesPerSecondSquared();
-        if (v == 0) {
+        // Pilots ask for acceleration 0 of a motor that has no part in a move.
+        float a = Math.max(1, request.accelerationDegreesPerSecondSquared());
+        if (v == 0 || Float.isNaN(v)) {
             return stop(p, u, a);
         }
         int limit = request.limitDegrees();
