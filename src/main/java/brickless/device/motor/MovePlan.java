@@ -55,7 +55,7 @@ final class MovePlan {
     static MovePlan of(MoveRequest request, float p, float u) {
         float v = request.speedDegreesPerSecond();
         float a = Math.max(LEAST_ACCELERATION, request.accelerationDegreesPerSecondSquared());
-        if (v == 0) {
+        if (v == 0 || Float.isNaN(v)) {
             return stop(p, u, a);
         }
         int limit = request.limitDegrees();
