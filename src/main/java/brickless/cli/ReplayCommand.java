@@ -2,9 +2,7 @@ package brickless.cli;
 
 import brickless.simulation.FinishedRun;
 import brickless.simulation.SetupException;
-import java.awt.Desktop;
-import java.awt.GraphicsEnvironment;
-import java.io.IOException;
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -27,24 +25,12 @@ final class ReplayCommand implements Callable<Integer> {
     @Override public Integer call() {
         try {
             Path page = FinishedRun.open(folder).report();
-            String address = page.toAbsolutePath().normalize().toUri().toString();
-            main.out().println(printPath || !opened(page) ? address : "opened " + address);
+            URI address = page.toAbsolutePath().normalize().toUri();
+            boolean shown = !printPath && new BrowserWindow(System.getenv(), System.getProperty("os.name")).show(address);
+            main.out().println((shown ? "opened " : "") + address);
             return 0;
         } catch (SetupException e) {
             throw new UsageException(e.getMessage());
-        }
-    }
-
-    /** Shows the page in the browser; a machine without a screen or a browser has to do with the address. */
-    private static boolean opened(Path page) {
-        if (GraphicsEnvironment.isHeadless() || !Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.BROWSE)) {
-            return false;
-        }
-        try {
-            Desktop.getDesktop().browse(page.toAbsolutePath().normalize().toUri());
-            return true;
-        } catch (IOException e) {
-            return false;
         }
     }
 }
