@@ -2,7 +2,6 @@ package brickless.cli;
 
 import brickless.simulation.FinishedRun;
 import brickless.simulation.SetupException;
-import java.net.URI;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -25,9 +24,8 @@ final class ReplayCommand implements Callable<Integer> {
     @Override public Integer call() {
         try {
             Path page = FinishedRun.open(folder).report();
-            URI address = page.toAbsolutePath().normalize().toUri();
-            boolean shown = !printPath && new BrowserWindow(System.getenv(), System.getProperty("os.name")).show(address);
-            main.out().println((shown ? "opened " : "") + address);
+            String address = page.toAbsolutePath().normalize().toUri().toString();
+            main.out().println(printPath || !DesktopBrowser.show(page.toAbsolutePath().normalize().toUri()) ? address : "opened " + address);
             return 0;
         } catch (SetupException e) {
             throw new UsageException(e.getMessage());

@@ -15,14 +15,28 @@ final class BodyMotion {
     double sin;
     double inverseMass;
     double inverseInertia;
+    private final Rotation rotation;
+    private float solverInverseInertia = Float.NaN;
     private double centreX;
     private double centreY;
 
+    BodyMotion(Rotation rotation) {
+        this.rotation = rotation;
+    }
+
     void begin(Body body, Position position) {
+        if (body.m_invI != solverInverseInertia || body.m_invMass != inverseMass) {
+            weigh(body);
+        }
+        cos = rotation.to(position.a).cos();
+        sin = rotation.sin();
+    }
+
+    /** Takes over what changes only when the body gets another shape. */
+    private void weigh(Body body) {
+        solverInverseInertia = body.m_invI;
         inverseMass = body.m_invMass;
         inverseInertia = body.m_invI == 0 ? 0 : 1 / Decimetres.inertia(1 / body.m_invI);
-        cos = StrictMath.cos(position.a);
-        sin = StrictMath.sin(position.a);
         centreX = Decimetres.metres(body.m_sweep.localCenter.x);
         centreY = Decimetres.metres(body.m_sweep.localCenter.y);
     }
@@ -31,6 +45,13 @@ final class BodyMotion {
         vx = Decimetres.metres(velocity.v.x);
         vy = Decimetres.metres(velocity.v.y);
         spin = velocity.w;
+    }
+
+    /** Velocity after the step, when the solver has let go of the body. */
+    void read(Body body) {
+        vx = Decimetres.metres(body.m_linearVelocity.x);
+        vy = Decimetres.metres(body.m_linearVelocity.y);
+        spin = body.m_angularVelocity;
     }
 
     void write(Velocity velocity) {

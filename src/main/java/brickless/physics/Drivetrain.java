@@ -27,7 +27,9 @@ final class Drivetrain extends Joint {
     private final Skid[] skids;
     private final double[] skidLoads;
     private final TurretGear[] gears;
-    private final BodyMotion motion = new BodyMotion();
+    private final Rotation rotation = new Rotation();
+    private final BodyMotion motion = new BodyMotion(rotation);
+    private final Clearance clearance = new Clearance();
     private double dt;
 
     Drivetrain(Body ground, Body robot, Shaft[] shafts, Tyre[] tyres, double[] tyreLimits, Skid[] skids,
@@ -60,6 +62,16 @@ final class Drivetrain extends Joint {
         throw new IllegalStateException("joint not found in the body's list");
     }
 
+    /** Rotation of the robot's body. */
+    Rotation rotation() {
+        return rotation;
+    }
+
+    /** Room within the broad phase's boxes. */
+    Clearance clearance() {
+        return clearance;
+    }
+
     /** Must be called before each step: the solver resets the mark of its own joints only. */
     void prepare(double stepSeconds) {
         m_islandFlag = false;
@@ -74,7 +86,7 @@ final class Drivetrain extends Joint {
             shaft.begin(dt);
         }
         for (int i = 0; i < tyres.length; i++) {
-            tyres[i].begin(motion, tyreLimits[i] * dt);
+            tyres[i].begin(motion, tyreLimits[i], dt);
         }
         for (int i = 0; i < skids.length; i++) {
             skids[i].begin(motion, skidLoads[i], dt);
@@ -105,8 +117,12 @@ final class Drivetrain extends Joint {
         motion.write(velocity);
     }
 
-    /** Moves the shafts on, after the step. */
+    /** Moves the gears and the shafts on, after the step. */
     void finish() {
+        motion.read(robot);
+        for (Tyre tyre : tyres) {
+            tyre.end(motion, dt);
+        }
         for (Shaft shaft : shafts) {
             shaft.end(dt);
         }

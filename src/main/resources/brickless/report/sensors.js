@@ -89,6 +89,10 @@ function sensorText(sensor, sample, time) {
   return (busy.length > 0 ? busy : said.slice(0, 1)).slice(0, 3).map(({one, value}) => quantityText(one, one.of(value))).join(' ');
 }
 
+function sensorTitle(sensor) {
+  return `S${sensor.port} ${sensorName(sensor.kind)}`;
+}
+
 /** The plots of a sensor: one for each quantity that it measured, with a value where it was in the mode for it. */
 function sensorPlots(sensor, times) {
   const plots = new Map();
@@ -114,7 +118,7 @@ function copyQuantity(plots, sensor, one, values, from, to) {
 function seriesOf(plots, sensor, one, length) {
   const id = `s${sensor.port}-${sensor.kind}${one.what ? `-${one.what}` : ''}`;
   if (!plots.has(id)) {
-    plots.set(id, {id, title: `S${sensor.port} ${sensorName(sensor.kind)}`, what: one.what, unit: one.unit, sense: one.sense, places: one.places, lack: one.lack,
+    plots.set(id, {id, title: sensorTitle(sensor), what: one.what, unit: one.unit, sense: one.sense, places: one.places, lack: one.lack,
       words: one.words, paints: one.paints, series: [], on: true});
   }
   const plot = plots.get(id);

@@ -8,6 +8,7 @@ import brickless.device.sensor.FloorColour;
 import brickless.world.Lamp;
 import brickless.world.Paint;
 import brickless.world.Point2;
+import brickless.world.Pose2;
 import brickless.world.Region;
 import brickless.world.Rgb;
 import brickless.world.SensorType;
@@ -72,6 +73,31 @@ class FloorSensorTest {
         assertThat((int) sensor.bytes(1)[0]).isBetween(30, 52);
     }
 
+    /** The spot is 1 cm wide at a height of 8 mm: that far apart are pure white and pure black around an edge of tape. */
+    @Test void spotIsACentimetreWide() {
+        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE),
+                SensorBench.paint(0, 0.06, -1, 1, 1));
+        sensor.port.uart().initialise(REFLECT);
+        int between = 0;
+        int before = 100;
+        for (int step = -100; step <= 100; step++) {
+            sensor.bench.arena.move(sensor.bench.robot, new Pose2(0.0001 * step, 0, 0));
+            int percent = sensor.bytes(1)[0];
+            assertThat(percent).as("%d tenths of a millimetre", step).isLessThanOrEqualTo(before).isBetween(5, 78);
+            between += percent > 5 && percent < 78 ? 1 : 0;
+            before = percent;
+        }
+        assertThat(between / 10.0).as("millimetres").isBetween(8.0, 10.5);
+    }
+
+    @Test void rawColoursStayWithinTheirRange() {
+        assertThat(Arrays.stream(colour(0xffffff, RGB).shorts(3)).boxed())
+                .allSatisfy(raw -> assertThat(raw).isBetween(0, 1020));
+        int[] reflected = colour(0xffffff, 3).shorts(2);
+        assertThat(reflected[0]).isBetween(0, reflected[1]);
+        assertThat(reflected[1]).isEqualTo(1020);
+    }
+
     @Test void higherSensorSeesLess() {
         SensorBench high = new SensorBench(TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE))),
                 SensorBench.front(SensorType.EV3_COLOR, 0.03), true);
@@ -99,6 +125,33 @@ class FloorSensorTest {
         sensor.port.uart().initialise(AMBIENT);
         assertThat(dark).isBetween(1, 15);
         assertThat((int) sensor.bytes(1)[0]).isGreaterThan(50);
+    }
+
+    private static SensorBench inLight(SensorType type, double ambientLux, Lamp... lamps) {
+        World world = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
+                List.of(), List.of(lamps), Optional.empty(), List.of(), "", ambientLux);
+        return new SensorBench(world, SensorBench.front(type, 0.008), true);
+    }
+
+    /** The documented curve: percent = 100 lux / (lux + 1500), a lamp 0.5 m high at 0.5 m fades to a quarter. */
+    @ParameterizedTest(name = "{0} lux and a lamp of {1} at {2} m")
+    @CsvSource({"0,0,0,0", "100,0,0,6", "500,0,0,25", "1500,0,0,50", "6000,0,0,80", "0,1500,0,50", "0,6000,0.5,50",
+        "750,3000,0.5,50"})
+    void ambientLightIsThatOfTheRoomAndTheLamps(double room, double lamp, double away, int percent) {
+        SensorBench sensor = inLight(SensorType.EV3_COLOR, room, new Lamp("lamp", lamp, new Point2(0.06, away)));
+        sensor.port.uart().initialise(AMBIENT);
+        assertThat((int) sensor.bytes(1)[0]).isEqualTo(percent);
+    }
+
+    @Test void nxtLightSensorWithoutItsLampSeesTheRoom() {
+        assertThat(nxtLight(0)).isCloseTo(0.10, offset(0.003));
+        assertThat(nxtLight(1000)).isCloseTo(0.55, offset(0.003));
+    }
+
+    private static double nxtLight(double lux) {
+        SensorBench sensor = inLight(SensorType.NXT_LIGHT, lux);
+        sensor.port.analog().setType(6);
+        return 1 - sensor.port.analog().pin1Volts() / 5;
     }
 
     @Test void halfTransparentPaintMixesWithWhatLiesBelow() {
