@@ -4,7 +4,7 @@ package brickless.kernel;
  * Finds threads that can never go on.
  *
  * <p>All of a program: nobody is ready, no time-out is set and nobody waits for a device. Some of it: a cycle in the
- * graph of who waits for whom, through owners of monitors and threads being joined. Monitors cannot be given up, so a
+ * graph of who waits for whom, through owners of monitors and locks and threads being joined. Monitors cannot be given up, so a
  * cycle of them is final at once; a cycle with a {@code join} could still be broken by an interrupt and is given
  * {@value #GRACE_NANOS} ns. Waits with a time-out, for {@code notify}, for {@code unpark} or for a device are no
  * edges.
@@ -62,7 +62,7 @@ final class DeadlockDetector {
         return false;
     }
 
-    private static boolean cycleHasJoin(Fibre start) {
+    private boolean cycleHasJoin(Fibre start) {
         Fibre fibre = start;
         do {
             if (fibre.state == FibreState.JOINING) {
@@ -77,10 +77,11 @@ final class DeadlockDetector {
      * The one fibre without which this one cannot go on, or null. A thread that joins itself just wants to wait for
      * ever.
      */
-    private static Fibre waitsFor(Fibre fibre) {
+    private Fibre waitsFor(Fibre fibre) {
         return switch (fibre.state) {
             case BLOCKED -> fibre.monitor.owner;
             case JOINING -> fibre.timeout.queued() || fibre.joined == fibre ? null : fibre.joined;
+            case WAITING -> fibre.blocker == null ? null : roster.of(fibre.blocker.lockOwner());
             default -> null;
         };
     }

@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.kernel.hooks.OwnedLock;
 import java.util.function.Consumer;
 
 /**
@@ -30,12 +31,16 @@ final class Fibre {
     int yields;
     /** Call depth while another fibre runs. */
     int depth;
+    /** Static initialisers of the JVM's own that run on the fibre's stack: it keeps the processor until they end. */
+    int nativeInitialisers;
     /** How often the fibre blocked. */
     long blocks;
     /** The monitor waited for or in, while BLOCKED or WAITING. */
     Monitor monitor;
     /** How often the fibre was woken for that monitor and found it taken. */
     int bypassed;
+    /** The lock, built on monitors, that the fibre waits for in whatever it does now; null for none. */
+    OwnedLock blocker;
     /** The fibre waited for, while JOINING. */
     Fibre joined;
 

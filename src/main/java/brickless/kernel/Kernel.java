@@ -1,6 +1,7 @@
 package brickless.kernel;
 
 import brickless.kernel.hooks.Budget;
+import brickless.kernel.hooks.OwnedLock;
 import brickless.kernel.hooks.ProgramKilled;
 import brickless.kernel.hooks.VirtualMachine;
 import java.io.InputStream;
@@ -179,6 +180,16 @@ public final class Kernel implements VirtualMachine, Processor {
     @Override
     public boolean killing() {
         return ending.killing();
+    }
+
+    @Override
+    public void nativeInitialiser(boolean begins) {
+        scheduler.nativeInitialiser(begins);
+    }
+
+    @Override
+    public void waitsFor(OwnedLock lock) {
+        scheduler.current().blocker = lock;
     }
 
     @Override

@@ -76,7 +76,7 @@ final class Scheduler {
             enter();
             clock.settle(nanos);
             ending.throwIfKilling();
-            if (ready.isEmpty() || clock.now() < sliceEnd) {
+            if (keepsProcessor() || clock.now() < sliceEnd) {
                 grant();
             } else {
                 preempt();
@@ -102,16 +102,28 @@ final class Scheduler {
         enter();
         clock.settle(nanos);
         ending.throwIfKilling();
-        if (ready.isEmpty()) {
+        if (keepsProcessor()) {
             grant();
         } else {
             preempt();
         }
     }
 
+    /** The running fibre keeps the processor from the first such begin to the last end, unless it blocks. */
+    void nativeInitialiser(boolean begins) {
+        if (current == null) {
+            // Before the run, on the host.
+            return;
+        }
+        current.nativeInitialisers += begins ? 1 : -1;
+        if (!keepsProcessor()) {
+            clock.shorten(sliceEnd);
+        }
+    }
+
     /** Switches before a monitor is entered, if the schedule says so. */
     void preemptBeforeMonitor() {
-        if (!ready.isEmpty() && schedule.preemptsBeforeMonitor()) {
+        if (!keepsProcessor() && schedule.preemptsBeforeMonitor()) {
             enter();
             preempt();
         }
@@ -280,7 +292,11 @@ final class Scheduler {
         if (ending.killing()) {
             clock.grantUntil(0);
         } else {
-            clock.grantUntil(ready.isEmpty() ? Long.MAX_VALUE : sliceEnd);
+            clock.grantUntil(keepsProcessor() ? Long.MAX_VALUE : sliceEnd);
         }
+    }
+
+    private boolean keepsProcessor() {
+        return ready.isEmpty() || current != null && current.nativeInitialisers > 0;
     }
 }

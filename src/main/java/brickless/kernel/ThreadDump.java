@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.kernel.hooks.NamedMonitor;
 import java.util.Arrays;
 import java.util.List;
 
@@ -57,7 +58,7 @@ final class ThreadDump {
                     text.append(" held by ").append(name(fibre.monitor.owner));
                 }
             }
-            case WAITING -> appendLock(fibre);
+            case WAITING -> appendWait(fibre);
             case JOINING -> text.append(" for the end of ").append(name(fibre.joined));
             case SIGNAL, SIGNAL_INTERRUPTIBLY -> text.append(" for a device");
             case EXITING -> text.append(" for shutdown hooks");
@@ -65,10 +66,24 @@ final class ThreadDump {
         }
     }
 
+    private void appendWait(Fibre fibre) {
+        if (fibre.blocker == null) {
+            appendLock(fibre);
+        } else {
+            Thread owner = fibre.blocker.lockOwner();
+            text.append(" for a lock").append(owner == null ? "" : " held by \"" + owner.getName() + '"');
+        }
+    }
+
     private void appendLock(Fibre fibre) {
-        Object lock = fibre.monitor.lock;
-        text.append(" on ")
-                .append(lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName());
+        text.append(" on ").append(nameOf(fibre.monitor.lock));
+    }
+
+    private static String nameOf(Object lock) {
+        if (lock instanceof NamedMonitor named) {
+            return named.monitorName();
+        }
+        return lock instanceof Class<?> type ? "class " + type.getName() : lock.getClass().getName();
     }
 
     private static String name(Fibre fibre) {

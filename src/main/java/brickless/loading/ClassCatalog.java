@@ -80,9 +80,26 @@ final class ClassCatalog {
             if ((method ? summary.methods() : summary.staticFields()).contains(member)) {
                 return name;
             }
+            String constants = method ? null : interfaceWithConstant(summary, member);
+            if (constants != null) {
+                return constants;
+            }
             name = summary.superName();
         }
         return owner;
+    }
+
+    private String interfaceWithConstant(ClassSummary type, String field) {
+        for (String parent : type.interfaces()) {
+            ClassSummary summary = summary(parent);
+            if (summary != null) {
+                String found = summary.staticFields().contains(field) ? parent : interfaceWithConstant(summary, field);
+                if (found != null) {
+                    return found;
+                }
+            }
+        }
+        return null;
     }
 
     /** Whether {@code ancestor} is a proper superclass of {@code name}. */
@@ -100,10 +117,37 @@ final class ClassCatalog {
     /** Whether uses of the class must trigger its initialisation on a fibre. */
     boolean initialisesOnFibre(String name) {
         ClassSummary summary = summary(name);
-        if (summary == null || summary.isInterface() || "java/lang/Enum".equals(summary.superName())) {
+        if (summary == null || summary.isInterface()) {
             return false;
         }
-        return summary.initialisation() == Initialisation.MAY_BLOCK || initialisesOnFibre(summary.superName());
+        return summary.initialisation() == Initialisation.MAY_BLOCK || isGuarded(name)
+                || initialisesOnFibre(summary.superName());
+    }
+
+    /**
+     * Whether uses of a class or interface must ask for its initialisation before they touch it: it is an interface
+     * whose initialiser may block, which must stay the JVM's, or a class with which the JVM initialises such a one.
+     */
+    boolean isGuarded(String name) {
+        ClassSummary summary = summary(name);
+        if (summary == null) {
+            return false;
+        }
+        if (summary.isInterface()) {
+            return summary.initialisation() == Initialisation.MAY_BLOCK;
+        }
+        return isGuarded(summary.superName()) || implementsGuarded(summary);
+    }
+
+    private boolean implementsGuarded(ClassSummary type) {
+        for (String parent : type.interfaces()) {
+            ClassSummary summary = summary(parent);
+            if (summary != null
+                    && (summary.hasDefaultMethods() && isGuarded(parent) || implementsGuarded(summary))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -112,5 +156,10 @@ final class ClassCatalog {
      */
     boolean ownInitialiserOnFibre(String name) {
         return initialisesOnFibre(name) && summary(name).initialisation() != Initialisation.NONE;
+    }
+
+    /** Whether it is an enum type (not the class of a constant with a body). */
+    boolean isEnum(String name) {
+        return "java/lang/Enum".equals(summary(name).superName());
     }
 }

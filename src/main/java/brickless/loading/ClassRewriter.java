@@ -24,15 +24,15 @@ final class ClassRewriter {
 
     ClassRewriter(ClassCatalog catalog, JdkReplacements replacements) {
         this.replacements = replacements;
-        initialisers = new ClassInitialisers(catalog);
         JdkCallRedirects redirects = new JdkCallRedirects(catalog);
         ConstructedReplacements constructed = new ConstructedReplacements(replacements);
+        initialisers = new ClassInitialisers(catalog, constructed);
         classPasses = List.of(new Finalizers(catalog), initialisers,
                 new MethodReferenceBridges(redirects, constructed, catalog), constructed);
         methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed,
                 new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
                 new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(),
-                new CallDepth(), new SynchronizedMethods());
+                new CallDepth(), new NativeInitialisers(catalog), new SynchronizedMethods());
     }
 
     /**

@@ -1,8 +1,8 @@
 package brickless.loading;
 
-import brickless.kernel.hooks.JdkCalls;
 import brickless.loading.ClassSummary.Initialisation;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.objectweb.asm.ClassReader;
@@ -13,22 +13,22 @@ import org.objectweb.asm.Opcodes;
 
 /** Reads a {@link ClassSummary} from a class file. */
 final class ClassSummaryReader extends ClassVisitor {
-    private static final String THREAD = "java/lang/Thread";
-
     private final String self;
     private final JdkReplacements replacements;
-    private final Predicate<String> isProgram;
+    private final InitialiserReader initialiser;
     private final Set<String> methods = new HashSet<>();
     private final Set<String> staticFields = new HashSet<>();
     private String superName;
+    private List<String> interfaces = List.of();
     private boolean isInterface;
-    private Initialisation initialisation = Initialisation.NONE;
+    private boolean hasDefaultMethods;
 
     private ClassSummaryReader(String self, JdkReplacements replacements, Predicate<String> isProgram) {
         super(Opcodes.ASM9);
         this.self = self;
         this.replacements = replacements;
-        this.isProgram = isProgram;
+        this.initialiser = new InitialiserReader(self,
+                name -> isProgram.test(JdkReplacements.isReplacement(self) ? name : replacements.map(name)));
     }
 
     /**
@@ -43,16 +43,23 @@ final class ClassSummaryReader extends ClassVisitor {
         } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
             throw ClassFiles.damaged(file, name, damaged);
         }
-        return new ClassSummary(reader.superName, reader.isInterface, Set.copyOf(reader.methods),
-                Set.copyOf(reader.staticFields),
-                reader.initialisation);
+        return reader.summary();
+    }
+
+    private ClassSummary summary() {
+        Initialisation initialisation = methods.contains(InitialiserReader.INITIALISER)
+                ? initialiser.initialisation() : Initialisation.NONE;
+        return new ClassSummary(superName, interfaces, isInterface, hasDefaultMethods, Set.copyOf(methods),
+                Set.copyOf(staticFields), initialisation);
     }
 
     @Override
-    public void visit(int version, int access, String name, String signature, String superclass, String[] interfaces) {
+    public void visit(int version, int access, String name, String signature, String superclass, String[] parents) {
         isInterface = (access & Opcodes.ACC_INTERFACE) != 0;
         superName = superclass == null || JdkReplacements.isReplacement(name) ? superclass
                 : replacements.map(superclass);
+        interfaces = parents == null ? List.of() : List.of(parents);
+        initialiser.ofEnum("java/lang/Enum".equals(superclass));
     }
 
     @Override
@@ -67,57 +74,7 @@ final class ClassSummaryReader extends ClassVisitor {
     public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
             String[] exceptions) {
         methods.add(name + descriptor);
-        if (!"<clinit>".equals(name)) {
-            return null;
-        }
-        initialisation = Initialisation.HARMLESS;
-        return new InitialiserReader();
-    }
-
-    /**
-     * Looks for anything that could block or start something: other program classes, threads, monitors, redirected
-     * calls.
-     */
-    private final class InitialiserReader extends MethodVisitor {
-        InitialiserReader() {
-            super(Opcodes.ASM9);
-        }
-
-        private void uses(String owner) {
-            if (THREAD.equals(owner) || isProgram.test(JdkReplacements.isReplacement(self) ? owner
-                    : replacements.map(owner))) {
-                initialisation = Initialisation.MAY_BLOCK;
-            }
-        }
-
-        @Override
-        public void visitTypeInsn(int opcode, String type) {
-            if (opcode == Opcodes.NEW) {
-                uses(type);
-            }
-        }
-
-        @Override
-        public void visitFieldInsn(int opcode, String owner, String name, String descriptor) {
-            if (!owner.equals(self) && (opcode == Opcodes.GETSTATIC || opcode == Opcodes.PUTSTATIC)) {
-                uses(owner);
-            }
-        }
-
-        @Override
-        public void visitMethodInsn(int opcode, String owner, String name, String descriptor,
-                boolean ownerIsInterface) {
-            if (!JdkCalls.withSignature(name, descriptor).isEmpty()) {
-                initialisation = Initialisation.MAY_BLOCK;
-            }
-            uses(owner);
-        }
-
-        @Override
-        public void visitInsn(int opcode) {
-            if (opcode == Opcodes.MONITORENTER) {
-                initialisation = Initialisation.MAY_BLOCK;
-            }
-        }
+        hasDefaultMethods |= isInterface && (access & (Opcodes.ACC_STATIC | Opcodes.ACC_ABSTRACT)) == 0;
+        return initialiser.method(access, name + descriptor);
     }
 }

@@ -32,13 +32,13 @@ final class Code {
         return new MethodInsnNode(Opcodes.INVOKESTATIC, owner, name, descriptor, false);
     }
 
-    /** Pushes a class; class files before version 49 have no class constants. */
-    static InsnList classConstant(ClassNode type) {
+    /** Pushes a class in code of {@code type}; class files before version 49 have no class constants. */
+    static InsnList classConstant(ClassNode type, String pushed) {
         InsnList code = new InsnList();
         if ((type.version & MAJOR_VERSION_MASK) >= FIRST_WITH_CLASS_CONSTANTS) {
-            code.add(new LdcInsnNode(Type.getObjectType(type.name)));
+            code.add(new LdcInsnNode(Type.getObjectType(pushed)));
         } else {
-            code.add(new LdcInsnNode(type.name.replace('/', '.')));
+            code.add(new LdcInsnNode(pushed.replace('/', '.')));
             code.add(call("java/lang/Class", "forName", "(Ljava/lang/String;)Ljava/lang/Class;"));
         }
         return code;

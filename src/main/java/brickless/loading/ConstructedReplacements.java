@@ -20,36 +20,42 @@ final class ConstructedReplacements implements ClassPass, MethodPass {
 
     @Override
     public void rewrite(ClassNode type) {
-        if (type.superName != null && !JdkReplacements.isReplacement(type.name)) {
-            type.superName = orSame(type.superName);
+        if (type.superName != null) {
+            type.superName = constructed(type, type.superName);
         }
     }
 
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
-        String ownParent = JdkReplacements.isReplacement(type.name) ? type.superName : null;
         for (AbstractInsnNode node : method.instructions.toArray()) {
             if (node.getOpcode() == Opcodes.NEW) {
                 TypeInsnNode creation = (TypeInsnNode) node;
-                creation.desc = creation.desc.equals(ownParent) ? ownParent : orSame(creation.desc);
+                creation.desc = constructed(type, creation.desc);
             } else if (node.getOpcode() == Opcodes.INVOKESPECIAL) {
                 MethodInsnNode call = (MethodInsnNode) node;
-                call.owner = call.owner.equals(ownParent) ? ownParent : orSame(call.owner);
-            } else if (node.getOpcode() == Opcodes.INVOKESTATIC && ownParent == null) {
+                call.owner = constructed(type, call.owner);
+            } else if (node.getOpcode() == Opcodes.INVOKESTATIC) {
                 MethodInsnNode call = (MethodInsnNode) node;
-                String owner = replacements.staticOwner(call.owner, call.name + call.desc);
-                call.owner = owner == null ? call.owner : owner;
+                call.owner = staticOwner(type, call.owner, call.name + call.desc);
             }
         }
+    }
+
+    /** What {@code new} and {@code extends} mean in a class: only the replacement itself means the JDK's. */
+    String constructed(ClassNode type, String name) {
+        String replacement = replacements.constructed(name);
+        return replacement == null || replacement.equals(type.name) ? name : replacement;
+    }
+
+    /** Where a static call in a class goes: only replacements mean the JDK's. */
+    String staticOwner(ClassNode type, String owner, String signature) {
+        String replacement = JdkReplacements.isReplacement(type.name) ? null
+                : replacements.staticOwner(owner, signature);
+        return replacement == null ? owner : replacement;
     }
 
     /** Whether creating, or calling a static method of, a JDK class means another one. */
     boolean concerns(String owner, String signature) {
         return replacements.constructed(owner) != null || replacements.staticOwner(owner, signature) != null;
-    }
-
-    private String orSame(String jdkName) {
-        String constructed = replacements.constructed(jdkName);
-        return constructed == null ? jdkName : constructed;
     }
 }

@@ -58,7 +58,8 @@ final class MethodReferenceBridges implements ClassPass {
         String owner = target.getOwner();
         int opcode = opcode(target.getTag());
         boolean touchesStatics = opcode == Opcodes.INVOKESTATIC || target.getTag() == Opcodes.H_NEWINVOKESPECIAL;
-        if (touchesStatics && !owner.equals(type.name) && catalog.initialisesOnFibre(owner)) {
+        if (touchesStatics && !owner.equals(type.name)
+                && (catalog.initialisesOnFibre(owner) || catalog.isGuarded(owner))) {
             return true;
         }
         return redirects.find(opcode, owner, target.getName(), target.getDesc()) != null

@@ -38,7 +38,7 @@ final class SynchronizedMethods implements MethodPass {
         if ((method.access & Opcodes.ACC_STATIC) == 0) {
             code.add(new VarInsnNode(Opcodes.ALOAD, 0));
         } else {
-            code.add(Code.classConstant(type));
+            code.add(Code.classConstant(type, type.name));
         }
         code.add(new InsnNode(Opcodes.DUP));
         code.add(new VarInsnNode(Opcodes.ASTORE, lock));

@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
+import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.ProgramLog;
@@ -43,6 +44,7 @@ final class RobotSession {
         this.end = end;
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
         panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
+        panel.keys().setAttended(settings.attended());
         devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
             fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
@@ -121,6 +123,23 @@ final class RobotSession {
             }
         }
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());
+    }
+
+    Frame.RobotFrame frame() {
+        List<Frame.Part> parts = new ArrayList<>();
+        for (int i = 0; i < model.turrets().size(); i++) {
+            RobotModel.Turret turret = model.turrets().get(i);
+            parts.add(new Frame.Part(turret.id(), (char) ('A' + turret.port()), body.turretAngleRadians(i)));
+        }
+        List<Frame.Beam> beams = new ArrayList<>();
+        List<Frame.Spot> spots = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            SensorPortDevice port = devices.sensor(i);
+            int number = i + 1;
+            port.beam().ifPresent(b -> beams.add(new Frame.Beam(number, port.connected(), b.from(), b.ends(), b.metres())));
+            port.spot().ifPresent(s -> spots.add(new Frame.Spot(number, port.connected(), s.at(), s.radiusMetres(), s.colour())));
+        }
+        return new Frame.RobotFrame(name, body.pose(), parts, beams, spots);
     }
 
     /** Brings what was still under way into the record. */

@@ -20,11 +20,12 @@ import java.util.stream.Stream;
  * &#64;contains text              the output or the dump has it somewhere
  * &#64;outside                    the host's network decides about times, so only the output is the same in every run
  * &#64;explore 200 deadlock       one of 200 random schedules ends like this
+ * &#64;schedules 40               so do 40 random schedules, with the same output
  * </pre>
  */
 record FixtureProgram(String mainClass, String expected, long limitSeconds, String input, List<String> prints,
         List<String> contains,
-        boolean outside, String explore) {
+        boolean outside, String explore, int schedules) {
     /** Every program with a main method below {@code programs/passing} and {@code programs/failing}. */
     static List<FixtureProgram> all() throws IOException {
         Path sources = sources();
@@ -67,7 +68,8 @@ record FixtureProgram(String mainClass, String expected, long limitSeconds, Stri
         return new FixtureProgram(mainClass, expected.get(0), Long.parseLong(limit.replace(" s", "")), input,
                 tags(text, "prints"),
                 tags(text, "contains"), !tags(text, "outside").isEmpty(),
-                tags(text, "explore").stream().findFirst().orElse(null));
+                tags(text, "explore").stream().findFirst().orElse(null),
+                Integer.parseInt(tags(text, "schedules").stream().findFirst().orElse("0")));
     }
 
     private static List<String> tags(String text, String tag) {

@@ -42,6 +42,20 @@ class ProgramsTest {
         if (program.explore() != null) {
             explore(program);
         }
+        for (int seed = 0; seed < program.schedules(); seed++) {
+            checkSchedule(program, seed, first);
+        }
+    }
+
+    /** Another order of the threads, on both back-ends, comes to the same. */
+    private static void checkSchedule(FixtureProgram program, int seed, ProgramRun first) {
+        KernelSettings settings = settings(program).withScheduleSeed(seed);
+        ProgramRun threads = run(program, settings.withBackend(BackendChoice.THREADS));
+        assertThat(describe(threads.end())).as("seed %d: %s%s", seed, threads.output(), threads.end().dump())
+                .isEqualTo(program.expected());
+        assertThat(threads.output()).as("seed %d", seed).isEqualTo(first.output());
+        ProgramRun best = run(program, settings.withBackend(BackendChoice.AUTO));
+        assertThat(best.traceHash()).as("seed %d on the other back-end", seed).isEqualTo(threads.traceHash());
     }
 
     private static void explore(FixtureProgram program) {

@@ -1,11 +1,13 @@
 package brickless.concurrent.locks;
 
+import brickless.kernel.hooks.OwnedLock;
 import java.util.Collection;
 import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /** Who holds an exclusive, re-entrant lock and how often. Every field is guarded by the monitor of the waiting line. */
-final class ExclusiveHold implements MonitorCondition.Owner {
+final class ExclusiveHold implements MonitorCondition.Owner, OwnedLock {
     private final WaitingLine line;
     private final BooleanSupplier available;
     private Thread owner;
@@ -58,6 +60,21 @@ final class ExclusiveHold implements MonitorCondition.Owner {
         }
     }
 
+    /** Waits until the current thread holds the lock; an interrupt is kept for later. */
+    void await(BooleanSupplier attempt) {
+        LockSupport.setCurrentBlocker(this);
+        try {
+            line.passUninterruptibly(attempt);
+        } finally {
+            LockSupport.setCurrentBlocker(null);
+        }
+    }
+
+    @Override
+    public Thread lockOwner() {
+        return owner;
+    }
+
     void release(int count) {
         synchronized (line) {
             requireHeld();
@@ -88,7 +105,7 @@ final class ExclusiveHold implements MonitorCondition.Owner {
 
     @Override
     public void retake(int count) {
-        line.passUninterruptibly(() -> take(count));
+        await(() -> take(count));
     }
 
     /** Threads waiting on a condition of this lock. */

@@ -24,7 +24,7 @@ public class ReentrantLock implements Lock {
     @Override
     public void lock() {
         if (!hold.takeAgain()) {
-            line.passUninterruptibly(() -> hold.take(1));
+            hold.await(() -> hold.take(1));
         }
     }
 

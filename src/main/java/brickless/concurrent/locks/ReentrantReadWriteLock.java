@@ -203,7 +203,7 @@ public class ReentrantReadWriteLock implements ReadWriteLock {
         synchronized (line) {
             waitingReaders.add(me);
             try {
-                line.passUninterruptibly(this::takeRead);
+                writing.await(this::takeRead);
             } finally {
                 waitingReaders.remove(me);
             }
@@ -281,7 +281,7 @@ public class ReentrantReadWriteLock implements ReadWriteLock {
         @Override
         public void lock() {
             if (!both.writing.takeAgain()) {
-                both.line.passUninterruptibly(both::takeWrite);
+                both.writing.await(both::takeWrite);
             }
         }
 

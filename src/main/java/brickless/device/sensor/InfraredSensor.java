@@ -7,6 +7,9 @@ import brickless.units.Angles;
 import brickless.world.Beacon;
 import brickless.world.Rgb;
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
 final class InfraredSensor extends UartSensor {
@@ -33,7 +36,10 @@ final class InfraredSensor extends UartSensor {
     private static final byte NO_BEACON = (byte) 128;
     private static final double NOISE = 0.5;
 
+    private static final double[] TURNS = turns();
+
     private final RayHit hit = new RayHit();
+    private final double[] reached = new double[RAYS];
     private final byte[] seek = new byte[2 * CHANNELS];
     private int proximity = 100;
     private long lastUpdate = Long.MIN_VALUE;
@@ -42,6 +48,14 @@ final class InfraredSensor extends UartSensor {
         super(site, DEVICE, UartMode.slow("IR-PROX", 1, 1), UartMode.slow("IR-SEEK", 8, 1),
                 UartMode.slow("IR-REMOTE", 4, 1),
                 UartMode.slow("IR-REM-A", 1, 2), UartMode.slow("IR-S-ALT", 4, 1), UartMode.slow("IR-CAL", 2, 2));
+    }
+
+    private static double[] turns() {
+        double[] turns = new double[RAYS];
+        for (int i = 0; i < RAYS; i++) {
+            turns[i] = BEAM * (i - RAYS / 2) / (RAYS / 2);
+        }
+        return turns;
     }
 
     @Override void selected(long nowNanos) {
@@ -69,7 +83,8 @@ final class InfraredSensor extends UartSensor {
     private int proximity(long update) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < RAYS; i++) {
-            site().surroundings().ray(aim(), BEAM * (i - RAYS / 2) / (RAYS / 2), PROXIMITY_REACH, site(), hit);
+            site().surroundings().ray(aim(), TURNS[i], PROXIMITY_REACH, site(), hit);
+            reached[i] = Math.min(PROXIMITY_REACH, hit.distanceMetres());
             if (hit.solid() != null) {
                 nearest = Math.min(nearest, hit.distanceMetres() * darkness());
             }
@@ -114,6 +129,23 @@ final class InfraredSensor extends UartSensor {
         int at = 2 * (beacon.channel() - 1);
         seek[at] = (byte) Math.max(-LARGEST_HEADING, Math.min(LARGEST_HEADING, heading));
         seek[at + 1] = (byte) Math.max(0, Math.min(100, range));
+    }
+
+    @Override Optional<SensorBeam> beam() {
+        return switch (mode()) {
+            case PROXIMITY -> Optional.of(SensorBeam.of(aim(), TURNS, reached,
+                    proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
+            case SEEK -> Optional.of(towardsBeacons());
+            default -> Optional.empty();
+        };
+    }
+
+    /** A ray towards each beacon that is seen, as bearing and distance tell. */
+    private SensorBeam towardsBeacons() {
+        int[] seen = IntStream.range(0, CHANNELS).filter(channel -> seek[2 * channel + 1] != NO_BEACON).toArray();
+        double[] turns = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel] * FULL_BEARING / LARGEST_HEADING).toArray();
+        double[] lengths = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel + 1] * SEEK_REACH / 100).toArray();
+        return SensorBeam.of(aim(), turns, lengths, DoubleStream.of(lengths).min().orElse(Double.POSITIVE_INFINITY));
     }
 
     /** Whether something stands in front of a beacon; the obstacle in which the beacon itself is does not count. */

@@ -16,18 +16,35 @@ final class SoundBeam {
     private static final double SPACING = Angles.radiansFromDegrees(2 * HALF_ANGLE_DEGREES / (RAYS - 1));
     private static final double LARGEST_INCIDENCE = Angles.radiansFromDegrees(LARGEST_INCIDENCE_DEGREES);
 
+    private static final double[] TURNS = turns();
+
     private final RayHit hit = new RayHit();
+    private final double[] reached = new double[RAYS];
+
+    private static double[] turns() {
+        double[] turns = new double[RAYS];
+        for (int i = 0; i < RAYS; i++) {
+            turns[i] = (i - RAYS / 2) * SPACING;
+        }
+        return turns;
+    }
 
     /** Distance of the nearest echo in metres, infinite if none comes back. */
     double distance(SensorSite site) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < RAYS; i++) {
-            site.surroundings().ray(site.aim(), (i - RAYS / 2) * SPACING, REACH, site, hit);
+            site.surroundings().ray(site.aim(), TURNS[i], REACH, site, hit);
+            reached[i] = Math.min(REACH, hit.distanceMetres());
             if (hit.distanceMetres() < nearest && echoes()) {
                 nearest = hit.distanceMetres();
             }
         }
         return nearest;
+    }
+
+    /** The rays of the last measurement. */
+    SensorBeam seen(SensorSite site, double metres) {
+        return SensorBeam.of(site.aim(), TURNS, reached, metres);
     }
 
     /** Walls throw sound back like mirrors; robots are so rugged that some always comes back (assumption). */

@@ -3,18 +3,25 @@ package brickless.kernel.hooks;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
 import java.util.IdentityHashMap;
 import java.util.Map;
 
 /**
  * Class initialisation on fibres (JLS 12.4.2). A static initialiser that may block is renamed by the loader and run
- * from here, so that it is an ordinary Java frame that can be switched away. Per robot.
+ * from here, so that it is an ordinary Java frame that can be switched away. The initialiser of an interface stays the
+ * JVM's; here is decided who makes the JVM run it, and who waits. Per robot.
+ *
+ * <p>Who initialises a class holds a virtual monitor meanwhile, so that a deadlock is found like any other.
  */
 public final class ClassInitialization {
     /** Renamed {@code <clinit>}. */
     public static final String INITIALISER = "$clinit$";
     /** Static method that makes sure that its class is initialised; the loader calls it before each active use. */
     public static final String TRIGGER = "$init";
+    /** Static constant of those classes and interfaces for which {@link #initializeGuarded} is called instead. */
+    public static final String GUARDED = "$guarded";
 
     private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
     private static final MethodType NO_ARGUMENTS = MethodType.methodType(void.class);
@@ -29,43 +36,56 @@ public final class ClassInitialization {
      * @return whether it is complete, so that the trigger need not call again
      */
     public static boolean initialize(Class<?> type, boolean ownInitialiser) {
-        Thread self = Hooks.machine().currentThread();
         Progress progress = progressOf(type);
         MonitorHooks.enter(progress);
         try {
-            awaitOthers(progress, self);
-            if (progress.complete || progress.initializer == self) {
-                return progress.complete;
-            }
             if (progress.failed) {
                 throw new NoClassDefFoundError("Could not initialize class " + type.getName());
             }
-            progress.initializer = self;
+            if (!progress.begun) {
+                progress.begun = true;
+                run(type, ownInitialiser, progress);
+            }
+            return progress.complete;
         } finally {
             MonitorHooks.exit(progress);
         }
-        run(type, ownInitialiser, progress);
-        return true;
+    }
+
+    /** Does the same for an interface, or for a class with interfaces, that the JVM must not initialise by itself. */
+    public static void initializeGuarded(Class<?> type) {
+        if (!progressOf(type).complete) {
+            initialize(type, !type.isInterface());
+        }
     }
 
     /**
      * Initialises a class that is about to be used by reflection, and its superclasses; does nothing for other classes.
      */
     public static void initializeForReflection(Class<?> type) {
-        if (type.getClassLoader() == ClassInitialization.class.getClassLoader() && !type.isInterface()) {
+        if (type.getClassLoader() != ClassInitialization.class.getClassLoader()) {
+            return;
+        }
+        if (isGuarded(type)) {
+            initializeGuarded(type);
+        } else if (!type.isInterface()) {
             callIfPresent(type, TRIGGER);
         }
     }
 
     private static synchronized Progress progressOf(Class<?> type) {
-        return STARTED.computeIfAbsent(type, key -> new Progress());
+        return STARTED.computeIfAbsent(type, Progress::new);
     }
 
     private static void run(Class<?> type, boolean ownInitialiser, Progress progress) {
         try {
-            initializeForReflection(type.getSuperclass());
-            if (ownInitialiser) {
-                callIfPresent(type, INITIALISER);
+            if (type.isInterface()) {
+                MethodHandles.privateLookupIn(type, LOOKUP).ensureInitialized(type);
+            } else {
+                initializeParents(type);
+                if (ownInitialiser) {
+                    callIfPresent(type, INITIALISER);
+                }
             }
         } catch (ProgramKilled killed) {
             throw killed;
@@ -76,16 +96,48 @@ public final class ClassInitialization {
         finish(progress, false);
     }
 
+    /** Costs a monitor's entry again, as the JVM takes the class's lock once more to say that it is done. */
     private static void finish(Progress progress, boolean failed) {
         MonitorHooks.enter(progress);
-        try {
-            progress.complete = !failed;
-            progress.failed = failed;
-            progress.initializer = null;
-            MonitorHooks.notifyAll(progress);
-        } finally {
-            MonitorHooks.exit(progress);
+        progress.complete = !failed;
+        progress.failed = failed;
+        MonitorHooks.exit(progress);
+    }
+
+    /** The superclass and, where the JVM would do that natively, the interfaces with default methods. */
+    private static void initializeParents(Class<?> type) {
+        initializeForReflection(type.getSuperclass());
+        if (isGuarded(type)) {
+            initializeInterfaces(type);
         }
+    }
+
+    private static void initializeInterfaces(Class<?> type) {
+        for (Class<?> parent : type.getInterfaces()) {
+            if (parent.getClassLoader() == type.getClassLoader()) {
+                initializeInterfaces(parent);
+                if (isGuarded(parent) && hasDefaultMethods(parent)) {
+                    initializeGuarded(parent);
+                }
+            }
+        }
+    }
+
+    private static boolean isGuarded(Class<?> type) {
+        try {
+            return type.getDeclaredField(GUARDED).isSynthetic();
+        } catch (NoSuchFieldException usual) {
+            return false;
+        }
+    }
+
+    private static boolean hasDefaultMethods(Class<?> type) {
+        for (Method method : type.getDeclaredMethods()) {
+            if ((method.getModifiers() & (Modifier.STATIC | Modifier.ABSTRACT)) == 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static void callIfPresent(Class<?> type, String method) {
@@ -110,24 +162,20 @@ public final class ClassInitialization {
         throw (E) failure;
     }
 
-    private static void awaitOthers(Progress progress, Thread self) {
-        boolean interrupted = false;
-        while (progress.initializer != null && progress.initializer != self) {
-            try {
-                MonitorHooks.wait(progress);
-            } catch (InterruptedException kept) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            ThreadHooks.interrupt(self);
-        }
-    }
-
-    /** Guarded by its own virtual monitor. */
-    private static final class Progress {
-        private Thread initializer;
+    /** Guarded by its own virtual monitor, which the initialising thread holds. */
+    private static final class Progress implements NamedMonitor {
+        private final Class<?> type;
+        private boolean begun;
         private boolean complete;
         private boolean failed;
+
+        Progress(Class<?> type) {
+            this.type = type;
+        }
+
+        @Override
+        public String monitorName() {
+            return "the initialisation of " + type.getName();
+        }
     }
 }

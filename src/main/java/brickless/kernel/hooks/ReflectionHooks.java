@@ -4,6 +4,7 @@ import java.lang.reflect.AccessibleObject;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Member;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 
@@ -22,11 +23,10 @@ public final class ReflectionHooks {
 
     /** {@code Class.forName(name, initialize, loader)}. */
     public static Class<?> forName(String name, boolean initialize, ClassLoader loader) throws ClassNotFoundException {
-        Class<?> type = Class.forName(name, initialize, loader);
         if (initialize) {
-            ClassInitialization.initializeForReflection(type);
+            ClassInitialization.initializeForReflection(Class.forName(name, false, loader));
         }
-        return type;
+        return Class.forName(name, initialize, loader);
     }
 
     /** {@code type.newInstance()}. */
@@ -56,23 +56,30 @@ public final class ReflectionHooks {
             return hook.invoke(null, Modifier.isStatic(method.getModifiers()) ? arguments
                     : withReceiver(receiver, arguments));
         }
-        ClassInitialization.initializeForReflection(method.getDeclaringClass());
+        initializeFor(method);
         makeAccessible(method, method.getDeclaringClass());
         return method.invoke(receiver, arguments);
     }
 
     /** {@code field.get(receiver)}. */
     public static Object get(Field field, Object receiver) throws IllegalAccessException {
-        ClassInitialization.initializeForReflection(field.getDeclaringClass());
+        initializeFor(field);
         makeAccessible(field, field.getDeclaringClass());
         return field.get(receiver);
     }
 
     /** {@code field.set(receiver, value)}. */
     public static void set(Field field, Object receiver, Object value) throws IllegalAccessException {
-        ClassInitialization.initializeForReflection(field.getDeclaringClass());
+        initializeFor(field);
         makeAccessible(field, field.getDeclaringClass());
         field.set(receiver, value);
+    }
+
+    /** Methods and fields of objects need nothing: the objects could not be there otherwise. */
+    private static void initializeFor(Member member) {
+        if (Modifier.isStatic(member.getModifiers())) {
+            ClassInitialization.initializeForReflection(member.getDeclaringClass());
+        }
     }
 
     private static Object[] withReceiver(Object receiver, Object[] arguments) {

@@ -239,6 +239,8 @@ public final class ThreadHooks {
         }
     }
 
-    /** {@code LockSupport.setCurrentBlocker(blocker)}: has no effect here. */
-    public static void setCurrentBlocker(Object blocker) {}
+    /** {@code LockSupport.setCurrentBlocker(blocker)}: only locks of ours say anything to the kernel. */
+    public static void setCurrentBlocker(Object blocker) {
+        Hooks.machine().waitsFor(blocker instanceof OwnedLock ? (OwnedLock) blocker : null);
+    }
 }

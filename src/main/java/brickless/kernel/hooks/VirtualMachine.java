@@ -19,6 +19,15 @@ public interface VirtualMachine {
     /** Whether the program is being ended: handlers must let {@link ProgramKilled} pass. */
     boolean killing();
 
+    /**
+     * A static initialiser that the JVM itself runs begins or ends on the running fibre, which keeps the processor
+     * meanwhile: another one that comes to need the class would wait on the host.
+     */
+    void nativeInitialiser(boolean begins);
+
+    /** The lock that the calling thread will wait for until it has it, null when that is over. */
+    void waitsFor(OwnedLock lock);
+
     /** Acquires the virtual monitor of {@code lock}; blocks. Throws NullPointerException like the bytecode would. */
     void monitorEnter(Object lock);
 

@@ -19,7 +19,7 @@ class NavigatorTest {
 
     @Test
     void navigatorsLeadTheirPilotsAsThePublishedOne() {
-        Agreement.check(NavigatorDriver.class, 400, 2e-3, NavigatorDriver::play);
+        Agreement.check(NavigatorDriver.class, 1000, 2e-3, NavigatorDriver::play);
     }
 
     @Test
