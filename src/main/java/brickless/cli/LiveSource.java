@@ -64,6 +64,6 @@ final class LiveSource implements RunSource {
             placement.model().map(beside::resolve).ifPresent(files::add);
             placement.program().map(beside::resolve).ifPresent(files::add);
         }
-        return files.stream().filter(Files::isRegularFile).distinct().toList();
+        return files.stream().filter(Files::isRegularFile).map(file -> file.toAbsolutePath().normalize()).distinct().toList();
     }
 }

@@ -1,6 +1,7 @@
 package brickless.viewer;
 
 import brickless.simulation.RunReport;
+import brickless.simulation.SetupException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -17,8 +18,6 @@ import java.util.function.Supplier;
 final class Driver implements Runnable {
     /** Frames follow each other at this distance, wall time: 30 a second. */
     private static final long TICK_NANOS = 1_000_000_000 / 30;
-    /** Longest time for advancing the run between two frames, wall time: viewers want to be heard. */
-    private static final long BUSY_NANOS = TICK_NANOS * 3 / 4;
     /** Longest simulated time between two looks at the clock. */
     private static final long QUANTUM_NANOS = 20_000_000;
     private static final int MOST_WAITING_TASKS = 1_000;
@@ -109,9 +108,10 @@ final class Driver implements Runnable {
     void perform(Command command) {
         if (command instanceof Command.Pause) {
             playing = false;
-        } else if (command instanceof Command.Play) {
+        } else if (command instanceof Command.Play && !playing) {
             session.refuseIfEnded();
             playing = true;
+            pacer.restart(System.nanoTime(), session.nowNanos());
         } else if (command instanceof Command.Step step) {
             session.refuseIfEnded();
             playing = false;
@@ -126,7 +126,6 @@ final class Driver implements Runnable {
             showTouch();
         }
         message = Optional.empty();
-        pacer.restart(System.nanoTime(), session.nowNanos());
         tellNews();
         tellState();
     }
@@ -141,7 +140,12 @@ final class Driver implements Runnable {
     /** Ends the session and puts a new one in its place; it begins at once if somebody watches. */
     void replace(RunSource.Prepared prepared) {
         session.close();
-        session = new Session(session.number() + 1, prepared);
+        try {
+            session = new Session(session.number() + 1, prepared);
+        } catch (SetupException e) {
+            say(e.getMessage());
+            throw new RefusedException(e.getMessage());
+        }
         changed = List.of();
         message = Optional.empty();
         playing = true;
@@ -208,20 +212,16 @@ final class Driver implements Runnable {
     }
 
     private long waitNanos() {
-        long now = System.nanoTime();
-        return Math.max(0, Math.min(nextTickNanos, meter.nextReportNanos()) - now);
+        long next = advancing() ? Math.min(nextTickNanos, meter.nextReportNanos()) : meter.nextReportNanos();
+        return Math.max(0, next - System.nanoTime());
     }
 
     private void tick() {
         long now = System.nanoTime();
-        if (now >= nextTickNanos) {
+        if (advancing() && now >= nextTickNanos) {
             nextTickNanos = Math.max(nextTickNanos + TICK_NANOS, now);
-            if (advancing()) {
-                catchUp(now);
-                tellNews();
-            } else {
-                nextTickNanos = now + 10 * TICK_NANOS;
-            }
+            catchUp(now);
+            tellNews();
         }
         if (session.ended() != shownEnded || now >= meter.nextReportNanos()) {
             tellState();
@@ -232,7 +232,7 @@ final class Driver implements Runnable {
         long due = pacer.due(startNanos);
         long step = session.run().step().toNanos();
         long now = startNanos;
-        while (!session.ended() && due - session.nowNanos() >= step && now - startNanos < BUSY_NANOS) {
+        while (!session.ended() && due - session.nowNanos() >= step && now - startNanos < TICK_NANOS) {
             advance(Math.min(QUANTUM_NANOS, due - session.nowNanos()));
             now = System.nanoTime();
         }

@@ -5,6 +5,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -33,19 +34,17 @@ final class Gatekeeper {
 
     /** Whether an address begins with the token. */
     boolean knowsToken(URI address) {
-        byte[] first = part(address, 0).getBytes(StandardCharsets.UTF_8);
-        return MessageDigest.isEqual(first, token);
+        return MessageDigest.isEqual(parts(address)[0].getBytes(StandardCharsets.UTF_8), token);
     }
 
-    /** What comes behind the token; {@code null} if there is not even a slash. */
-    static String resource(URI address) {
-        String path = String.valueOf(address.getRawPath());
-        int slash = path.indexOf('/', 1);
-        return slash < 0 ? null : path.substring(slash + 1);
+    /** What comes behind the token and its slash; empty if there is not even a slash. */
+    static Optional<String> resource(URI address) {
+        String[] parts = parts(address);
+        return parts.length < 2 ? Optional.empty() : Optional.of(parts[1]);
     }
 
-    private static String part(URI address, int index) {
-        String[] parts = String.valueOf(address.getRawPath()).substring(1).split("/", -1);
-        return parts[index];
+    /** First part of the path, and the rest if there is a slash behind it. */
+    private static String[] parts(URI address) {
+        return String.valueOf(address.getRawPath()).replaceFirst("^/", "").split("/", 2);
     }
 }

@@ -30,7 +30,11 @@ final class Restarter {
      */
     CompletableFuture<Void> restart(OptionalLong seed) {
         RunSource.Prepared prepared = prepare(seed);
-        return driver.submit(() -> driver.replace(prepared));
+        return driver.submit(() -> driver.replace(prepared)).whenComplete((done, refused) -> {
+            if (refused != null) {
+                prepared.program().close();
+            }
+        });
     }
 
     private synchronized RunSource.Prepared prepare(OptionalLong seed) {

@@ -123,7 +123,7 @@ final class Session {
     /** A time limit that lets the run end where it stands, or by itself if it did. */
     private Duration limit() {
         if (report().isEmpty()) {
-            return run.time();
+            return run.time().compareTo(run.step()) < 0 ? run.step() : run.time();
         }
         Duration end = Duration.ofNanos(run.outcome().timeNanos());
         return run.outcome().kind().equals("time-limit") ? end : Duration.ofSeconds(end.toSeconds()).plus(SPARE);

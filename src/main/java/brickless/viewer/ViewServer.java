@@ -11,6 +11,7 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -40,6 +41,7 @@ final class ViewServer {
     private final Driver driver;
     private final Restarter restarter;
     private final String token;
+    private final byte[] page = LivePage.html().getBytes(StandardCharsets.UTF_8);
     private final Semaphore seats = new Semaphore(MOST_VIEWERS);
     private final AtomicInteger viewers = new AtomicInteger();
 
@@ -92,26 +94,30 @@ final class ViewServer {
     }
 
     private void handle(HttpExchange exchange) throws IOException {
-        try (exchange) {
-            if (!gatekeeper.ours(exchange.getRequestHeaders()) || !gatekeeper.knowsToken(exchange.getRequestURI())) {
-                refuse(exchange, 403, "not allowed");
-                return;
-            }
-            String resource = Gatekeeper.resource(exchange.getRequestURI());
-            if (resource == null) {
-                exchange.getResponseHeaders().set("Location", "/" + token + "/");
-                answer(exchange, 301, "text/plain", NOTHING);
-                return;
-            }
-            switch (resource) {
-                case "" -> get(exchange, () -> page(exchange));
-                case "events" -> get(exchange, () -> events(exchange));
-                case "stimuli" -> get(exchange, () -> stimuli(exchange));
-                case "do" -> command(exchange);
-                default -> refuse(exchange, 404, "no such page");
-            }
+        if (!gatekeeper.ours(exchange.getRequestHeaders()) || !gatekeeper.knowsToken(exchange.getRequestURI())) {
+            refuse(exchange, 403, "not allowed");
+            return;
+        }
+        try {
+            answer(exchange, Gatekeeper.resource(exchange.getRequestURI()));
         } catch (InterruptedException e) {
+            exchange.close();
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private void answer(HttpExchange exchange, Optional<String> resource) throws IOException, InterruptedException {
+        if (resource.isEmpty()) {
+            exchange.getResponseHeaders().set("Location", "/" + token + "/");
+            answer(exchange, 301, "text/plain", NOTHING);
+            return;
+        }
+        switch (resource.get()) {
+            case "" -> get(exchange, () -> answer(exchange, 200, "text/html; charset=utf-8", page));
+            case "events" -> get(exchange, () -> events(exchange));
+            case "stimuli" -> get(exchange, () -> stimuli(exchange));
+            case "do" -> command(exchange);
+            default -> refuse(exchange, 404, "no such page");
         }
     }
 
@@ -132,10 +138,6 @@ final class ViewServer {
         exchange.getResponseHeaders().set("Allow", method);
         refuse(exchange, 405, "only " + method + " is allowed here");
         return false;
-    }
-
-    private void page(HttpExchange exchange) throws IOException {
-        answer(exchange, 200, "text/html; charset=utf-8", LivePage.html().getBytes(StandardCharsets.UTF_8));
     }
 
     private void stimuli(HttpExchange exchange) throws IOException, InterruptedException {
@@ -173,6 +175,7 @@ final class ViewServer {
         } finally {
             seats.release();
             driver.submit(() -> driver.leave(mailbox));
+            exchange.close();
         }
     }
 
@@ -199,7 +202,7 @@ final class ViewServer {
         }
         try {
             perform(CommandReader.read(new String(body, StandardCharsets.UTF_8)));
-            exchange.sendResponseHeaders(204, -1);
+            answer(exchange, 204, JSON, NOTHING);
         } catch (RefusedException e) {
             refuse(exchange, 400, e.getMessage());
         }
@@ -230,8 +233,8 @@ final class ViewServer {
     private static void answer(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
         headers(exchange, type);
         exchange.sendResponseHeaders(status, body.length == 0 ? -1 : body.length);
-        if (body.length > 0) {
-            exchange.getResponseBody().write(body);
+        try (OutputStream out = exchange.getResponseBody()) {
+            out.write(body);
         }
     }
 
