@@ -71,6 +71,11 @@ final class LivePageInBrowser {
         return (String) browser.value(LCD);
     }
 
+    /** Waits until the screen shows a picture, row by row, {@code #} for a dark dot. */
+    void awaitPixels(String picture) {
+        browser.await(LCD + " === '" + picture + "'");
+    }
+
     WebElement element(String selector) {
         return browser.element(selector);
     }
@@ -99,9 +104,5 @@ final class LivePageInBrowser {
 
     String status() {
         return (String) browser.value("document.querySelector('[data-part=status]').textContent");
-    }
-
-    Browser browser() {
-        return browser;
     }
 }

@@ -61,15 +61,14 @@ final class PadSource implements RunSource {
 
                 static void changed(String name, boolean down) {
                     System.out.println(name + (down ? " down" : " up"));
-                    if (down && name.equals("Up")) {
-                        LCD.clear();
-                        LCD.drawString("Up and away", 2, 3);
-                        LCD.setPixel(177, 127, 1);
+                    if (!down && name.equals("Up")) {
+                        draw();
                         StringBuilder hex = new StringBuilder("LCD ");
                         for (byte part : LCD.getDisplay()) {
                             hex.append(Character.forDigit(part >> 4 & 15, 16)).append(Character.forDigit(part & 15, 16));
                         }
                         System.err.println(hex);
+                        draw();
                     }
                     if (down && name.equals("Left")) {
                         Button.LEDPattern(2);
@@ -78,6 +77,13 @@ final class PadSource implements RunSource {
                     if (down && name.equals("Right")) {
                         System.out.println("%s");
                     }
+                }
+
+                static void draw() {
+                    LCD.clear();
+                    LCD.drawString("Up and away", 2, 3);
+                    LCD.setPixel(177, 127, 1);
+                    LCD.refresh();
                 }
             }
             """.formatted(NASTY);
@@ -119,7 +125,8 @@ final class PadSource implements RunSource {
     RunReport headless(String stimuli) throws Exception {
         try (Program program = new ProgramFinder(file.getParent(), List.of(), Optional.empty()).find(file.toString());
                 Run run = new Simulation(settings(1).toBuilder().stimuli(StimuliReader.readText("stimuli", stimuli)).build()).start(program)) {
-            return run.toEnd();
+            run.toEnd();
+            return run.report();
         }
     }
 }
