@@ -130,6 +130,7 @@ class LiveView {
 
   frame(frame) {
     this.pendingFrame = frame;
+    this.holds.tick(frame.t);
     this.schedule();
   }
 
