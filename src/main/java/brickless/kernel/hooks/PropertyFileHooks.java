@@ -10,8 +10,8 @@ import java.util.Date;
 import java.util.Properties;
 
 /**
- * {@code Properties.store} of rewritten code: the same file on every JDK and in every run. The date is the program's, and
- * the entries are in the order of their text.
+ * {@code Properties.store} of rewritten code: the same file on every JDK and in every run. The date is the program's,
+ * and the entries are in the order of their text.
  */
 public final class PropertyFileHooks {
     private static final int ASCII_END = 0x7f;
