@@ -71,11 +71,6 @@ final class LivePageInBrowser {
         return (String) browser.value(LCD);
     }
 
-    /** Waits until the screen shows a picture, row by row, {@code #} for a dark dot. */
-    void awaitPixels(String picture) {
-        browser.await(LCD + " === '" + picture + "'");
-    }
-
     WebElement element(String selector) {
         return browser.element(selector);
     }

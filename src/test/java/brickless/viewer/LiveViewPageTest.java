@@ -4,14 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import brickless.browser.Browser;
+import java.awt.image.BufferedImage;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.HexFormat;
 import java.util.Optional;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -107,19 +108,21 @@ class LiveViewPageTest {
         browser.await("document.querySelector('.port.touch .port-value').textContent === '0'");
     }
 
-    @Test void theScreenShowsThePixelsThatTheProgramHas() {
+    @Test void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_UP).perform();
-        browser.await("document.querySelectorAll('#list-console .error').length === 1");
-        String line = (String) browser.value("document.querySelector('#list-console .error .row-text').textContent");
-        byte[] picture = HexFormat.of().parseHex(line.substring("LCD ".length()));
+        page.awaitLine("Up up");
+        browser.hands().sendKeys(Keys.ESCAPE).perform();
+        page.awaitRun("ended");
+        String shown = page.pixels();
+        view.close();
+        BufferedImage screen = ImageIO.read(source.out().resolve("screen.png").toFile());
+        int margin = (screen.getWidth() - 2 * 178) / 2;
         StringBuilder dots = new StringBuilder();
         for (int dot = 0; dot < 178 * 128; dot++) {
-            int x = dot % 178;
-            dots.append((picture[dot / 178 * 23 + x / 8] >> x % 8 & 1) != 0 ? '#' : '.');
+            dots.append((screen.getRGB(margin + dot % 178 * 2, margin + dot / 178 * 2) & 0xff) < 0x40 ? '#' : '.');
         }
-        assertThat(dots.toString()).contains("##").endsWith(".#");
-        page.awaitPixels(dots.toString());
+        assertThat(shown).isEqualTo(dots.toString()).contains("####").endsWith("..#");
     }
 
     @Test void whatTheProgramPrintsIsNeverMarkup() {
