@@ -3,6 +3,7 @@ package brickless.trace;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -17,6 +18,7 @@ import java.util.HexFormat;
 public final class TraceWriter implements AutoCloseable {
     private final OutputStream out;
     private final MessageDigest digest;
+    private final SampleLine line = new SampleLine();
     private String hash;
 
     /** Creates a writer and writes the header line. */
@@ -37,14 +39,18 @@ public final class TraceWriter implements AutoCloseable {
 
     /** Writes a sample. */
     public void sample(Sample sample) {
-        append(TraceLine.sample(sample));
+        append(line.write(sample));
     }
 
     private void append(String line) {
         byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
-        digest.update(bytes);
+        append(ByteBuffer.wrap(bytes));
+    }
+
+    private void append(ByteBuffer bytes) {
+        digest.update(bytes.array(), 0, bytes.limit());
         try {
-            out.write(bytes);
+            out.write(bytes.array(), 0, bytes.limit());
         } catch (IOException e) {
             throw new UncheckedIOException("cannot write the trace", e);
         }

@@ -33,9 +33,13 @@ final class Visit implements AutoCloseable {
     private final Class<?> program;
     private final HttpClient client = HttpClient.newHttpClient();
 
-    private Visit(Class<?> program, SimulationSettings settings, double speed) {
+    private Visit(Class<?> program, RunSource source, double speed) {
         this.program = program;
-        view = LiveView.open(seed -> prepared(program, settings, seed), ViewOptions.of(0, Optional.empty(), speed));
+        view = LiveView.open(source, ViewOptions.of(0, Optional.empty(), speed));
+    }
+
+    static Visit to(RunSource source, double speed) {
+        return new Visit(Object.class, source, speed);
     }
 
     static RunSource.Prepared prepared(Class<?> program, SimulationSettings settings, OptionalLong seed) {
@@ -45,11 +49,11 @@ final class Visit implements AutoCloseable {
 
     /** Watches a program with two robots at a speed. */
     static Visit to(Class<?> program, double speed) {
-        return new Visit(program, settings().build(), speed);
+        return to(program, settings().build(), speed);
     }
 
     static Visit to(Class<?> program, SimulationSettings settings, double speed) {
-        return new Visit(program, settings, speed);
+        return new Visit(program, seed -> prepared(program, settings, seed), speed);
     }
 
     /** As {@code brickless view} sets them: no limit, no automatic keys, somebody is there. */

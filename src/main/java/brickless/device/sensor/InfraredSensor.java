@@ -12,7 +12,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
-final class InfraredSensor extends UartSensor {
+final class InfraredSensor extends UartSensor implements RayFan.Visitor {
     private static final int DEVICE = 33;
     /** Time between measurements, nanoseconds: assumption within 50 to 60 ms. */
     static final long PERIOD_NANOS = 50_000_000;
@@ -36,10 +36,9 @@ final class InfraredSensor extends UartSensor {
     private static final byte NO_BEACON = (byte) 128;
     private static final double NOISE = 0.5;
 
-    private static final double[] TURNS = turns();
-
+    private final RayFan fan = new RayFan(BEAM, RAYS, PROXIMITY_REACH);
     private final RayHit hit = new RayHit();
-    private final double[] reached = new double[RAYS];
+    private double nearest;
     private final byte[] seek = new byte[2 * CHANNELS];
     private int proximity = 100;
     private long lastUpdate = Long.MIN_VALUE;
@@ -48,14 +47,6 @@ final class InfraredSensor extends UartSensor {
         super(site, DEVICE, UartMode.slow("IR-PROX", 1, 1), UartMode.slow("IR-SEEK", 8, 1),
                 UartMode.slow("IR-REMOTE", 4, 1),
                 UartMode.slow("IR-REM-A", 1, 2), UartMode.slow("IR-S-ALT", 4, 1), UartMode.slow("IR-CAL", 2, 2));
-    }
-
-    private static double[] turns() {
-        double[] turns = new double[RAYS];
-        for (int i = 0; i < RAYS; i++) {
-            turns[i] = BEAM * (i - RAYS / 2) / (RAYS / 2);
-        }
-        return turns;
     }
 
     @Override void selected(long nowNanos) {
@@ -81,14 +72,8 @@ final class InfraredSensor extends UartSensor {
     }
 
     private int proximity(long update) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < RAYS; i++) {
-            site().surroundings().ray(aim(), TURNS[i], PROXIMITY_REACH, site(), hit);
-            reached[i] = Math.min(PROXIMITY_REACH, hit.distanceMetres());
-            if (hit.solid() != null) {
-                nearest = Math.min(nearest, hit.distanceMetres() * darkness());
-            }
-        }
+        nearest = Double.POSITIVE_INFINITY;
+        fan.cast(site(), this);
         if (nearest > PROXIMITY_REACH) {
             return 100;
         }
@@ -96,8 +81,12 @@ final class InfraredSensor extends UartSensor {
                 Math.min(100, Math.round(100 * nearest / PROXIMITY_REACH + NOISE * site().noise().bell(update, 0))));
     }
 
-    private double darkness() {
-        if (hit.solid() instanceof ObstacleBody obstacle) {
+    @Override public void met(RayHit thing) {
+        nearest = Math.min(nearest, thing.distanceMetres() * darkness(thing));
+    }
+
+    private static double darkness(RayHit thing) {
+        if (thing.solid() instanceof ObstacleBody obstacle) {
             Rgb c = obstacle.description().colour();
             return BLACK_FACTOR - (BLACK_FACTOR - 1) * (c.red() + c.green() + c.blue()) / (3 * 255.0);
         }
@@ -133,7 +122,7 @@ final class InfraredSensor extends UartSensor {
 
     @Override Optional<SensorBeam> beam() {
         return switch (mode()) {
-            case PROXIMITY -> Optional.of(SensorBeam.of(aim(), TURNS, reached,
+            case PROXIMITY -> Optional.of(fan.seen(site(),
                     proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
             case SEEK -> Optional.of(towardsBeacons());
             default -> Optional.empty();
