@@ -103,9 +103,9 @@ class LiveViewPageTest {
         page.release();
         page.awaitLine("bumper up");
         page.press(".touch-sensor");
-        browser.await("document.querySelector('.port.touch .port-value').textContent === '1'");
+        browser.await("document.querySelector('.port.touch .port-value').textContent === 'pressed'");
         page.release();
-        browser.await("document.querySelector('.port.touch .port-value').textContent === '0'");
+        browser.await("document.querySelector('.port.touch .port-value').textContent === 'released'");
     }
 
     @Test void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
