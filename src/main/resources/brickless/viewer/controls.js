@@ -48,7 +48,8 @@ class Controls {
     setText(this.title, name.slice(name.lastIndexOf('.') + 1));
     this.title.title = data.header.main;
     document.title = `${this.title.textContent} · Brickless live`;
-    const setting = [`world ${data.world}`, `robot ${data.robot}`, `seed ${data.seed}`];
+    const robots = data.scene.robots.length;
+    const setting = [`world ${data.world}`, robots > 1 ? `${robots} robots` : `robot ${data.robot}`, `seed ${data.seed}`];
     if (data.limit !== null) {
       setting.push(`until ${period(data.limit)}`);
     }
