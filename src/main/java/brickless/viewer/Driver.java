@@ -156,7 +156,7 @@ final class Driver implements Runnable {
         message = Optional.empty();
         playing = true;
         shownEnded = false;
-        pacer.restart(System.nanoTime(), 0);
+        pacer.begin(System.nanoTime());
         meter.restart();
         audience.all().forEach(this::begin);
         tellState();
@@ -242,7 +242,10 @@ final class Driver implements Runnable {
             advance(Math.min(QUANTUM_NANOS, due - session.nowNanos()));
             now = System.nanoTime();
         }
-        pacer.reached(now, session.nowNanos());
+        if (pacer.reached(now, session.nowNanos())) {
+            playing = false;
+            say("The run was paused after another 10 simulated hours. Its record grows with its time; play lets it go on.");
+        }
     }
 
     private void advance(long nanos) {

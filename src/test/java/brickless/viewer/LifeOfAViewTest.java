@@ -34,8 +34,8 @@ class LifeOfAViewTest {
 
     @Test void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
         List<String> before = threads();
-        try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator spectator = Spectator.of(visit.view)) {
-            spectator.awaitTime(0.1);
+        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator spectator = Spectator.of(visit.view)) {
+            spectator.awaitTime(60);
             assertThat(threads()).contains("brickless-view-driver", "brickless-view-files", "brickless-view-http", "brickless-run");
             visit.view.close();
             assertThat(threads()).isEqualTo(before);

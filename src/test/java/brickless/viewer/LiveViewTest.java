@@ -37,7 +37,7 @@ class LiveViewTest {
         SimulationSettings settings = Visit.settings().limit(Duration.ofSeconds(3)).build();
         var headless = new Simulation(settings).start(TouchWatch.class);
         headless.toEnd();
-        for (double speed : new double[] {5, Speed.MAX}) {
+        for (double speed : new double[] {2, Speed.MAX}) {
             try (Visit visit = Visit.to(TouchWatch.class, settings, speed); Spectator spectator = Spectator.of(visit.view)) {
                 JsonFields ended = spectator.await("state", state -> state.has("ended")).fields();
                 assertThat(ended.object("ended").text("hash")).isEqualTo(headless.report().traceHash());
