@@ -83,8 +83,8 @@ class LiveViewTest {
             visit.command("{'do':'hold','robot':'left','what':'key ENTER','down':true}");
             visit.command("{'do':'hold','robot':'left','what':'key ENTER','down':true}");
             spectator.awaitEvent("\"key\":\"ENTER\",\"down\":true");
+            spectator.awaitEvent("\"robot\":\"left\",\"text\":\"2\"");
             visit.command("{'do':'hold','robot':'left','what':'key ENTER','down':false}");
-            spectator.awaitEvent("\"text\":\"2\"");
             visit.command("{'do':'hold','robot':'right','what':'key LEFT','down':true}");
             spectator.awaitEvent("\"robot\":\"right\",\"text\":\"16\"");
             visit.command("{'do':'touch','stimulus':'move box 800,300 45'}");
