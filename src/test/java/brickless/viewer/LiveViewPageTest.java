@@ -174,14 +174,12 @@ class LiveViewPageTest {
         LivePageInBrowser page = page();
         browser.click(".play");
         page.awaitRun("paused");
-        page.awaitStates(3);
-        double held = page.time();
-        page.awaitStates(3);
-        assertThat(page.time()).isEqualTo(held);
+        double held = page.awaitStates(2);
+        assertThat(page.awaitStates(3)).isEqualTo(held);
+        assertThat(page.time()).isCloseTo(held, within(0.01));
         browser.click(".step");
         page.awaitTime(held + 0.04);
-        page.awaitStates(2);
-        assertThat(page.time()).isCloseTo(held + 0.05, within(0.011));
+        assertThat(page.awaitStates(2)).isCloseTo(held + 0.05, within(1e-6));
         browser.keys(" ");
         page.awaitRun("running");
         page.awaitTime(held + 0.5);
