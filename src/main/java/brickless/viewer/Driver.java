@@ -95,14 +95,17 @@ final class Driver implements Runnable {
         tellState();
     }
 
-    /** A viewer has gone. */
+    /** A viewer has gone; unless it held something, the run does not notice. */
     void leave(Mailbox mailbox) {
         audience.leave(mailbox);
+        int before = session.touches();
         session.letGo(mailbox.viewer());
         if (audience.isEmpty()) {
             session.letGo(Holds.ANYBODY);
         }
-        showTouch();
+        if (session.touches() > before) {
+            showTouch();
+        }
     }
 
     void perform(Command command) {
