@@ -98,14 +98,12 @@ final class Driver implements Runnable {
     /** A viewer has gone; unless it held something, the run does not notice. */
     void leave(Mailbox mailbox) {
         audience.leave(mailbox);
-        int before = session.touches();
-        session.letGo(mailbox.viewer());
-        if (audience.isEmpty()) {
-            session.letGo(Holds.ANYBODY);
-        }
-        if (session.touches() > before) {
-            showTouch();
-        }
+        touch(() -> {
+            session.letGo(mailbox.viewer());
+            if (audience.isEmpty()) {
+                session.letGo(Holds.ANYBODY);
+            }
+        });
     }
 
     void perform(Command command) {
@@ -121,11 +119,9 @@ final class Driver implements Runnable {
         } else if (command instanceof Command.SetSpeed speed) {
             pacer.setSpeed(speed.speed(), System.nanoTime(), session.nowNanos());
         } else if (command instanceof Command.Touch touch) {
-            session.touch(touch.words());
-            showTouch();
+            touch(() -> session.touch(touch.words()));
         } else if (command instanceof Command.Hold hold) {
-            session.hold(hold);
-            showTouch();
+            touch(() -> session.hold(hold));
         }
         message = Optional.empty();
         tellNews();
@@ -139,10 +135,14 @@ final class Driver implements Runnable {
         }
     }
 
-    /** Whoever touches a run that is held wants to see it. */
-    private void showTouch() {
-        if (!playing && !session.ended()) {
+    /** Whoever touches a run that is held wants to see it: it goes on by one step if there was anything to do. */
+    private void touch(Runnable action) {
+        int before = session.touches();
+        action.run();
+        if (session.touches() > before && !playing && !session.ended()) {
             advance(session.run().step().toNanos());
+            tellNews();
+            tellState();
         }
     }
 

@@ -81,6 +81,23 @@ class LifeOfAViewTest {
         }
     }
 
+    @Test void aTouchMovesAHeldRunOnByOneStepAndNothingElseDoes() throws Exception {
+        try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator stays = Spectator.of(visit.view)) {
+            stays.awaitTime(0.05);
+            visit.command("{'do':'pause'}");
+            long held = stays.await("state", state -> !state.flag("running")).fields().nanos("t");
+            try (Spectator goes = Spectator.of(visit.view)) {
+                goes.await("begin");
+            }
+            visit.command("{'do':'hold','what':'key LEFT','down':true}");
+            visit.command("{'do':'hold','what':'key LEFT','down':true}");
+            visit.command("{'do':'hold','what':'push S1','down':false}");
+            assertThat(stays.await("state", state -> state.integer("touches") == 1).fields().nanos("t")).isEqualTo(held + 2_000_000);
+            visit.command("{'do':'hold','what':'key LEFT','down':false}");
+            assertThat(stays.await("state", state -> state.integer("touches") == 2).fields().nanos("t")).isEqualTo(held + 4_000_000);
+        }
+    }
+
     @Test void whatTwoViewersHoldIsHeldUntilBothLetGo() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             visit.command("{'do':'hold','what':'key ENTER','down':true,'viewer':11}");
