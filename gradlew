@@ -3,6 +3,7 @@
 #   1. the Gradle pinned in gradle/wrapper/gradle-wrapper.properties, if installed or downloadable
 #   2. else `gradle` on the PATH   3. else Debian's package   4. else one clear line
 # `./gradlew simulate` passes the simulation's own exit status on (0 fine, 1 the program failed, 2 bad input).
+# `path/to/gradlew -p DIR …` builds another project with the same Gradle and JDK.
 set -u
 home=$(cd "$(dirname "$0")" && pwd -P)
 caller=$(pwd -P)
@@ -56,13 +57,17 @@ JAVA_HOME=$(pick_jdk)
 export JAVA_HOME
 
 # ---- run
-simulate=no quiet=-q
+simulate=no quiet=-q elsewhere=no
 for argument in "$@"; do
     case "$argument" in
+        -p | --project-dir | --project-dir=*) elsewhere=yes ;;
         simulate) simulate=yes ;;
         -i | --info | -d | --debug | -s | --stacktrace | --console*) quiet= ;;
     esac
 done
+if [ $elsewhere = yes ]; then
+    exec "$gradle" "$@"
+fi
 if [ $simulate = no ]; then
     exec "$gradle" -p "$home" "$@"
 fi

@@ -5,10 +5,14 @@ import brickless.trace.JsonFields;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,18 +22,18 @@ import java.util.function.Function;
  * The lines of a sweep, on standard output or in a file that a later sweep can continue.
  *
  * <p>A file that is there must be the beginning of the same sweep: worlds and seeds of its lines are compared with the plan, and its last
- * line is made once more, which shows whether the program or a setting has changed since. A last line without its end is dropped.
+ * line is made once more, which shows whether the program or a setting has changed since. A last line without its end is dropped if it is the
+ * beginning of the one that belongs there.
  */
 final class SweepLines implements AutoCloseable {
     private final Optional<Path> file;
-    private final boolean closing;
     private OutputStream out;
+    private FileChannel channel;
     private int count;
     private int failed;
 
     private SweepLines(Optional<Path> file, OutputStream out) {
         this.file = file;
-        this.closing = file.isPresent();
         this.out = out;
     }
 
@@ -60,7 +64,7 @@ final class SweepLines implements AutoCloseable {
         if (file.isEmpty()) {
             return;
         }
-        byte[] bytes = Files.exists(file.get()) ? Files.readAllBytes(file.get()) : new byte[0];
+        byte[] bytes = open(file.get());
         int end = bytes.length;
         while (end > 0 && bytes[end - 1] != '\n') {
             end--;
@@ -72,21 +76,31 @@ final class SweepLines implements AutoCloseable {
         if (!lines.isEmpty() && !again.apply(plan.get(count - 1)).equals(lines.get(count - 1))) {
             throw other(count, "was made by another program or with other settings");
         }
-        prepare(end);
+        if (end < bytes.length && !(count < plan.size() && begins(again.apply(plan.get(count)), bytes, end))) {
+            throw other(count + 1, "is no half-written line of this sweep");
+        }
+        channel.truncate(end);
+        channel.position(end);
+        out = Channels.newOutputStream(channel);
     }
 
-    private void prepare(int end) throws IOException {
-        Path target = file.orElseThrow();
+    private static boolean begins(String line, byte[] bytes, int from) {
+        byte[] wanted = line.getBytes(StandardCharsets.UTF_8);
+        int length = bytes.length - from;
+        return length <= wanted.length && Arrays.equals(wanted, 0, length, bytes, from, bytes.length);
+    }
+
+    /** What is in the file, which from now on is ours alone. */
+    private byte[] open(Path target) throws IOException {
         try {
-            if (target.toAbsolutePath().getParent() != null) {
-                Files.createDirectories(target.toAbsolutePath().getParent());
+            Files.createDirectories(target.toAbsolutePath().getParent());
+            channel = FileChannel.open(target, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+            if (channel.tryLock() == null) {
+                throw new UsageException(target + ": another sweep is writing it");
             }
-            if (Files.exists(target) && Files.size(target) != end) {
-                try (var channel = Files.newByteChannel(target, StandardOpenOption.WRITE)) {
-                    channel.truncate(end);
-                }
-            }
-            out = Files.newOutputStream(target, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            return Channels.newInputStream(channel).readAllBytes();
+        } catch (OverlappingFileLockException e) {
+            throw new UsageException(target + ": another sweep is writing it");
         } catch (IOException e) {
             throw new UsageException(target + ": cannot be written: " + e.getMessage());
         }
@@ -126,8 +140,8 @@ final class SweepLines implements AutoCloseable {
     }
 
     @Override public void close() throws IOException {
-        if (closing) {
-            out.close();
+        if (channel != null) {
+            channel.close();
         }
     }
 }

@@ -17,9 +17,6 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
  * <p>Not thread safe: the simulation and whoever reads between steps synchronise on the arena.
  */
 public final class Arena {
-    /** Velocity and position iterations of the contact solver per step. */
-    private static final int VELOCITY_ITERATIONS = 6;
-    private static final int POSITION_ITERATIONS = 2;
     private static final double NANOS_PER_SECOND = 1e9;
     /** JBox2D's own defaults for its pools of vectors and of containers. */
     private static final int POOL_SIZE = org.jbox2d.dynamics.World.WORLD_POOL_SIZE;
@@ -33,6 +30,7 @@ public final class Arena {
     private final Rays rays;
     private final ZoneWatch zones;
     private final SoundField sound = new SoundField();
+    private final ArenaSettings settings;
     private final double stepSeconds;
     private final long stepNanos;
     private ArenaListener listener = ArenaListener.NONE;
@@ -42,6 +40,7 @@ public final class Arena {
     public Arena(World description, List<Entrant> entrants, ArenaSettings settings) {
         Decimetres.use();
         this.description = description;
+        this.settings = settings;
         this.stepNanos = settings.stepNanos();
         this.stepSeconds = stepNanos / NANOS_PER_SECOND;
         this.world = new org.jbox2d.dynamics.World(new Vec2(0, 0), new DefaultWorldPool(POOL_SIZE, POOL_CONTAINER_SIZE), new LazyTree());
@@ -101,7 +100,7 @@ public final class Arena {
         for (int i = 0; i < robots.size(); i++) {
             robots.get(i).prepare(stepSeconds);
         }
-        world.step((float) stepSeconds, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+        world.step((float) stepSeconds, settings.velocityIterations(), settings.positionIterations());
         for (int i = 0; i < robots.size(); i++) {
             finish(robots.get(i));
         }

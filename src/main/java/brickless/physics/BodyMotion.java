@@ -33,6 +33,13 @@ final class BodyMotion {
         spin = velocity.w;
     }
 
+    /** Velocity after the step, when the solver has let go of the body. */
+    void read(Body body) {
+        vx = Decimetres.metres(body.m_linearVelocity.x);
+        vy = Decimetres.metres(body.m_linearVelocity.y);
+        spin = body.m_angularVelocity;
+    }
+
     void write(Velocity velocity) {
         velocity.v.x = Decimetres.of(vx);
         velocity.v.y = Decimetres.of(vy);

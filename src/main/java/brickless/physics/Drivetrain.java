@@ -74,7 +74,7 @@ final class Drivetrain extends Joint {
             shaft.begin(dt);
         }
         for (int i = 0; i < tyres.length; i++) {
-            tyres[i].begin(motion, tyreLimits[i] * dt);
+            tyres[i].begin(motion, tyreLimits[i], dt);
         }
         for (int i = 0; i < skids.length; i++) {
             skids[i].begin(motion, skidLoads[i], dt);
@@ -105,8 +105,12 @@ final class Drivetrain extends Joint {
         motion.write(velocity);
     }
 
-    /** Moves the shafts on, after the step. */
+    /** Moves the gears and the shafts on, after the step. */
     void finish() {
+        motion.read(robot);
+        for (Tyre tyre : tyres) {
+            tyre.end(motion, dt);
+        }
         for (Shaft shaft : shafts) {
             shaft.end(dt);
         }

@@ -54,7 +54,7 @@ final class RobotAssembly {
         }
         Shapes.attach(body, pieces, ORIGIN, fixture(model.massKilograms() / area));
         for (Turret turret : model.turrets()) {
-            turrets.add(turret(turret, owner));
+            turrets.add(turret(turret, owner, ideal));
         }
         for (Claw claw : model.claws()) {
             grippers.add(gripper(claw, obstacles));
@@ -81,11 +81,11 @@ final class RobotAssembly {
         return fixture;
     }
 
-    private Turntable turret(Turret turret, RobotBody owner) {
+    private Turntable turret(Turret turret, RobotBody owner, boolean ideal) {
         Shaft shaft = shafts[turret.port()];
         List<List<Point2>> pieces = Shapes.pieces(turret.outlines());
         if (pieces.isEmpty()) {
-            return new Turntable(turret, shaft, null);
+            return new Turntable(turret, shaft, null, ideal);
         }
         Vec2 pivot = body.getWorldPoint(new Vec2(Decimetres.of(turret.pivot().x()), Decimetres.of(turret.pivot().y())));
         Body turning = body(Decimetres.metres(pivot.x), Decimetres.metres(pivot.y), body.getAngle(), owner);
@@ -93,7 +93,7 @@ final class RobotAssembly {
         RevoluteJointDef hinge = new RevoluteJointDef();
         hinge.initialize(body, turning, pivot);
         world.createJoint(hinge);
-        return new Turntable(turret, shaft, turning);
+        return new Turntable(turret, shaft, turning, ideal);
     }
 
     private Gripper gripper(Claw claw, int obstacles) {
@@ -159,7 +159,7 @@ final class RobotAssembly {
         double[] grip = new double[wheels];
         for (int i = 0; i < wheels; i++) {
             Wheel wheel = model.wheels().get(i);
-            tyres[i] = new Tyre(wheel, shafts[wheel.port()]);
+            tyres[i] = new Tyre(wheel, shafts[wheel.port()], ideal);
             grip[i] = ideal ? Double.POSITIVE_INFINITY : TYRE_FRICTION * shares[i] * weight;
         }
         Skid[] skids = new Skid[model.casters().size()];
@@ -170,7 +170,7 @@ final class RobotAssembly {
             loads[i] = shares[wheels + i] * weight;
         }
         TurretGear[] gears = turrets.stream().filter(turret -> turret.body != null)
-                .map(turret -> new TurretGear(body, turret.body, turret.shaft, turret.ratio))
+                .map(turret -> new TurretGear(body, turret))
                 .toArray(TurretGear[]::new);
         return new Drivetrain(ground, body, shafts, tyres, grip, skids, loads, gears);
     }

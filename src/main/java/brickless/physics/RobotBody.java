@@ -145,6 +145,9 @@ public final class RobotBody implements Solid {
 
     void finish(double dt) {
         assembly.drivetrain.finish();
+        for (int i = 0; i < assembly.turrets.size(); i++) {
+            assembly.turrets.get(i).finish();
+        }
         double oldX = x;
         double oldY = y;
         readPose();

@@ -4,7 +4,8 @@ import brickless.world.RobotModel.Wheel;
 
 /**
  * The contact patch of a driven wheel: along the rolling direction it couples body and shaft, across it holds the body;
- * both within one circle of friction.
+ * both within one circle of friction. Backlash lets the body roll freely until the gears meet; the wheel between them
+ * has no mass.
  */
 final class Tyre {
     private final double localX;
@@ -13,6 +14,8 @@ final class Tyre {
     private final double localSin;
     private final double lever;
     private final boolean omni;
+    /** How far the tyre can roll to either side of the middle of the gears' play, metres. */
+    private final double play;
     final Shaft shaft;
 
     private double forwardX;
@@ -24,14 +27,19 @@ final class Tyre {
     private double limit;
     private double along;
     private double across;
+    /** How far the motor is ahead of the tyre within the play, metres. */
+    private double lead;
+    private double leastSlip;
+    private double mostSlip;
 
-    Tyre(Wheel wheel, Shaft shaft) {
+    Tyre(Wheel wheel, Shaft shaft, boolean ideal) {
         this.localX = wheel.position().x();
         this.localY = wheel.position().y();
         this.localCos = StrictMath.cos(wheel.headingRadians());
         this.localSin = StrictMath.sin(wheel.headingRadians());
         this.lever = (wheel.inverted() ? -1 : 1) * wheel.diameterMetres() / 2 / wheel.gearRatio();
         this.omni = wheel.omni();
+        this.play = ideal ? 0 : wheel.backlashRadians() / 2 * wheel.diameterMetres() / 2;
         this.shaft = shaft;
     }
 
@@ -40,12 +48,14 @@ final class Tyre {
         return lever;
     }
 
-    void begin(BodyMotion body, double limitNewtonSeconds) {
+    void begin(BodyMotion body, double limitNewtons, double dt) {
         forwardX = localCos * body.cos - localSin * body.sin;
         forwardY = localCos * body.sin + localSin * body.cos;
         armX = body.armX(localX, localY);
         armY = body.armY(localX, localY);
-        limit = limitNewtonSeconds;
+        limit = limitNewtons * dt;
+        leastSlip = (lead - play) / dt;
+        mostSlip = (lead + play) / dt;
         double armAlong = armX * forwardY - armY * forwardX;
         double armAcross = armX * forwardX + armY * forwardY;
         alongMass = 1 / (body.inverseMass + armAlong * armAlong * body.inverseInertia + lever * lever
@@ -64,7 +74,7 @@ final class Tyre {
         double vy = body.vy + body.spin * armX;
         double slip = vx * forwardX + vy * forwardY - lever * shaft.speedRadiansPerSecond();
         double slide = omni ? 0 : vy * forwardX - vx * forwardY;
-        double newAlong = along - slip * alongMass;
+        double newAlong = along - (slip - allowed(slip)) * alongMass;
         double newAcross = across - slide * acrossMass;
         double squared = newAlong * newAlong + newAcross * newAcross;
         if (squared > limit * limit) {
@@ -75,6 +85,25 @@ final class Tyre {
         apply(body, newAlong - along, newAcross - across);
         along = newAlong;
         across = newAcross;
+    }
+
+    /** The slip nearest to what it would be without the tyre's force that keeps the gears within their play. */
+    private double allowed(double slip) {
+        if (play == 0) {
+            return 0;
+        }
+        double free = slip - along / alongMass;
+        return Math.max(leastSlip, Math.min(mostSlip, free));
+    }
+
+    /** Follows the gears through their play, after the step; a tyre that slips over the floor leaves them meshed. */
+    void end(BodyMotion body, double dt) {
+        if (play > 0) {
+            double vx = body.vx - body.spin * armY;
+            double vy = body.vy + body.spin * armX;
+            double slip = vx * forwardX + vy * forwardY - lever * shaft.speedRadiansPerSecond();
+            lead = Math.max(-play, Math.min(play, lead - slip * dt));
+        }
     }
 
     private void apply(BodyMotion body, double alongImpulse, double acrossImpulse) {

@@ -7,9 +7,11 @@ import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 
 /** The fields of one JSON object that was read; what is missing or of another type is an error that names the field. */
@@ -75,6 +77,11 @@ public final class JsonFields {
             items.add(value(parser));
         }
         return items;
+    }
+
+    /** Names of the fields, in the order of the text. */
+    public Set<String> names() {
+        return Collections.unmodifiableSet(values.keySet());
     }
 
     /** Whether the field is there and not {@code null}. */

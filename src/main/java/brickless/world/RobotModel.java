@@ -39,9 +39,16 @@ public record RobotModel(String name, List<List<Point2>> chassis, double massKil
      * @param position contact point
      * @param headingRadians rolling direction, 0 = robot's forward
      * @param omni whether rollers let it slide sideways freely
+     * @param backlashRadians how far the wheel can be turned while its motor stands still
      */
     public record Wheel(String id, int port, MotorType motor, double diameterMetres, double gearRatio, boolean inverted,
-            Point2 position, double headingRadians, boolean omni) {}
+            Point2 position, double headingRadians, boolean omni, double backlashRadians) {
+        /** A wheel without backlash. */
+        public Wheel(String id, int port, MotorType motor, double diameterMetres, double gearRatio, boolean inverted,
+                Point2 position, double headingRadians, boolean omni) {
+            this(id, port, motor, diameterMetres, gearRatio, inverted, position, headingRadians, omni, 0);
+        }
+    }
 
     /** A free support at a contact point; {@code dragCoefficient} is its friction coefficient. */
     public record Caster(String id, Point2 position, double dragCoefficient) {}
@@ -65,9 +72,18 @@ public record RobotModel(String name, List<List<Point2>> chassis, double massKil
         }
     }
 
-    /** A group turned by a motor about a pivot; {@code outlines} collide and turn with it. */
+    /**
+     * A group turned by a motor about a pivot; {@code outlines} collide and turn with it. {@code backlashRadians} is
+     * how far it can be turned while its motor stands still.
+     */
     public record Turret(String id, int port, MotorType motor, double gearRatio, boolean inverted, Point2 pivot,
-            List<List<Point2>> outlines) {}
+            List<List<Point2>> outlines, double backlashRadians) {
+        /** A turret without backlash. */
+        public Turret(String id, int port, MotorType motor, double gearRatio, boolean inverted, Point2 pivot,
+                List<List<Point2>> outlines) {
+            this(id, port, motor, gearRatio, inverted, pivot, outlines, 0);
+        }
+    }
 
     /**
      * A claw or arm moved between two motor angles; open at {@code minDegrees}, closed at {@code maxDegrees};

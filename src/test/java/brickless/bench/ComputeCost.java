@@ -6,23 +6,20 @@ import brickless.loading.LoadingRules;
 import brickless.loading.RobotClassLoader;
 import java.lang.reflect.Method;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What rewriting costs programs that compute: {@link Loops} plain and rewritten, best of some rounds in host time. At most 3 times as long
- * is wanted.
+ * What rewriting costs programs that compute: how many times longer {@link Loops} take rewritten than plain, best of some rounds in host
+ * time. At most 3 times as long is wanted.
  */
-public final class ComputeCost {
+final class ComputeCost implements Measurement {
     private static final List<String> LOOPS = List.of("matrix", "sieve", "collatz", "particles", "fibonacci", "sort");
     private static final int ROUNDS = 60;
 
-    private ComputeCost() {}
-
-    /** Runs the benchmark. */
-    public static void main(String[] args) {
-        Map<String, Long> plain = measure(Loops.class);
+    @Override public Figures measure(Effort effort) {
+        int rounds = effort.nest() ? ROUNDS : 1;
+        Map<String, Long> plain = measure(Loops.class, rounds);
         Map<String, Long> rewritten = new TreeMap<>();
         RobotClassLoader loader = RobotClassLoader.ofApplication(ComputeCost.class.getClassLoader(),
                 LoadingRules.standard().rewriting(Loops.class.getName()));
@@ -30,21 +27,21 @@ public final class ComputeCost {
         kernel.bind(loader.bind(kernel));
         Thread main = loader.programThread("main", () -> {
             try {
-                rewritten.putAll(measure(loader.loadClass(Loops.class.getName())));
+                rewritten.putAll(measure(loader.loadClass(Loops.class.getName()), rounds));
             } catch (ClassNotFoundException e) {
                 throw new IllegalStateException(e);
             }
         });
         kernel.run(main, main);
-        System.out.println("JDK " + Runtime.version());
-        plain.forEach((name, nanos) -> System.out.printf(Locale.ROOT, "%-10s plain %7.2f ms, rewritten %7.2f ms, ratio %.2f%n", name,
-                nanos / 1e6, rewritten.get(name) / 1e6, (double) rewritten.get(name) / nanos));
+        Figures figures = new Figures();
+        plain.forEach((name, nanos) -> figures.put(name, (double) rewritten.get(name) / nanos));
+        return figures;
     }
 
-    private static Map<String, Long> measure(Class<?> loops) {
+    private static Map<String, Long> measure(Class<?> loops, int rounds) {
         Map<String, Long> best = new TreeMap<>();
         for (String name : LOOPS) {
-            for (int round = 0; round < ROUNDS; round++) {
+            for (int round = 0; round < rounds; round++) {
                 best.merge(name, nanos(loops, name), Math::min);
             }
         }

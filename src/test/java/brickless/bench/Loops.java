@@ -2,9 +2,20 @@ package brickless.bench;
 
 /** Loops as programs compute in them; each returns something that depends on all its work. */
 public final class Loops {
+    /** Turns of the loop in {@link #turns}. */
+    public static final int TURNS = 5_000_000;
     private static final int SIZE = 120;
 
     private Loops() {}
+
+    /** A loop that does next to nothing. */
+    public static double turns() {
+        int value = 1;
+        for (int i = 0; i < TURNS; i++) {
+            value = value * 31 + i;
+        }
+        return value;
+    }
 
     /** Matrix product: three nested loops over arrays. */
     public static double matrix() {

@@ -3,6 +3,8 @@ package brickless.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -114,9 +116,22 @@ class SweepCommandTest {
         assertThat(sweep("--out", out).err()).contains("out.jsonl:12: was made by another program or with other settings");
         Files.writeString(out, "no json\n", StandardOpenOption.TRUNCATE_EXISTING);
         assertThat(sweep("--out", out).err()).contains("out.jsonl:1: is no JSON object");
+        Files.writeString(out, "my diary");
+        assertThat(sweep("--out", out).err()).contains("out.jsonl:1: is no half-written line of this sweep");
+        assertThat(out).hasContent("my diary");
         Files.write(out, before);
         assertThat(sweep("--out", out, "--jobs", "0").status()).isEqualTo(2);
         assertThat(out).hasBinaryContent(before);
+    }
+
+    @Test void aFileThatCannotBeWrittenIsRefused() throws IOException {
+        assertThat(sweep("--out", folder).err()).contains("cannot be written").hasLineCount(1);
+        Path busy = folder.resolve("busy.jsonl");
+        try (FileChannel other = FileChannel.open(busy, StandardOpenOption.CREATE, StandardOpenOption.WRITE); FileLock lock = other.lock()) {
+            CommandLineRun run = sweep("--out", busy);
+            assertThat(run.err()).contains("busy.jsonl: another sweep is writing it").hasLineCount(1);
+            assertThat(run.status()).isEqualTo(2);
+        }
     }
 
     @Test void progressIsTold() {

@@ -101,6 +101,33 @@ class FloorSensorTest {
         assertThat((int) sensor.bytes(1)[0]).isGreaterThan(50);
     }
 
+    private static SensorBench inLight(SensorType type, double ambientLux, Lamp... lamps) {
+        World world = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
+                List.of(), List.of(lamps), Optional.empty(), List.of(), "", ambientLux);
+        return new SensorBench(world, SensorBench.front(type, 0.008), true);
+    }
+
+    /** The documented curve: percent = 100 lux / (lux + 1500), a lamp 0.5 m high at 0.5 m fades to a quarter. */
+    @ParameterizedTest(name = "{0} lux and a lamp of {1} at {2} m")
+    @CsvSource({"0,0,0,0", "100,0,0,6", "500,0,0,25", "1500,0,0,50", "6000,0,0,80", "0,1500,0,50", "0,6000,0.5,50",
+        "750,3000,0.5,50"})
+    void ambientLightIsThatOfTheRoomAndTheLamps(double room, double lamp, double away, int percent) {
+        SensorBench sensor = inLight(SensorType.EV3_COLOR, room, new Lamp("lamp", lamp, new Point2(0.06, away)));
+        sensor.port.uart().initialise(AMBIENT);
+        assertThat((int) sensor.bytes(1)[0]).isEqualTo(percent);
+    }
+
+    @Test void nxtLightSensorWithoutItsLampSeesTheRoom() {
+        assertThat(nxtLight(0)).isCloseTo(0.10, offset(0.003));
+        assertThat(nxtLight(1000)).isCloseTo(0.55, offset(0.003));
+    }
+
+    private static double nxtLight(double lux) {
+        SensorBench sensor = inLight(SensorType.NXT_LIGHT, lux);
+        sensor.port.analog().setType(6);
+        return 1 - sensor.port.analog().pin1Volts() / 5;
+    }
+
     @Test void halfTransparentPaintMixesWithWhatLiesBelow() {
         Paint veil = new Paint("veil", SensorBench.everywhere(0).region(), new Rgb(0, 0, 0), 0.5);
         World world = TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE), veil));

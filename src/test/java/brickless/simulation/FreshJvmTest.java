@@ -2,6 +2,7 @@ package brickless.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import brickless.bench.InstalledJdks;
 import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import java.io.IOException;
@@ -42,42 +43,8 @@ class FreshJvmTest {
         programs.close();
     }
 
-    /** The JDK of this test first, then others in the usual places. */
     private static List<Path> jdks() throws IOException {
-        List<Path> homes = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"))));
-        Path installed = Path.of("/usr/lib/jvm");
-        if (Files.isDirectory(installed)) {
-            try (Stream<Path> found = Files.list(installed)) {
-                found.filter(home -> !Files.isSymbolicLink(home)).sorted().forEach(homes::add);
-            }
-        }
-        System.getenv().entrySet().stream().filter(entry -> entry.getKey()
-                .matches("(JDK_?HOME|JAVA_?HOME)_?\\w*|BRICKLESS_JAVA_HOME"))
-                .sorted(java.util.Map.Entry.comparingByKey())
-                .forEach(entry -> homes.add(Path.of(entry.getValue())));
-        List<Path> usable = new ArrayList<>();
-        for (Path home : homes) {
-            if (usable.size() < 3 && Files.isExecutable(home.resolve("bin/java")) && version(home) >= 17
-                    && usable.stream().noneMatch(other -> same(other, home))) {
-                usable.add(home);
-            }
-        }
-        return usable;
-    }
-
-    private static boolean same(Path one, Path other) {
-        try {
-            return Files.isSameFile(one, other);
-        } catch (IOException e) {
-            return false;
-        }
-    }
-
-    private static int version(Path home) throws IOException {
-        Path release = home.resolve("release");
-        Matcher version = Pattern.compile("JAVA_VERSION=\"(\\d+)").matcher(Files.exists(release)
-                ? Files.readString(release) : "");
-        return version.find() ? Integer.parseInt(version.group(1)) : 0;
+        return InstalledJdks.homes().stream().limit(3).toList();
     }
 
     private String hashIn(Path home, String... vmOptions) throws IOException, InterruptedException {

@@ -15,6 +15,7 @@ public final class FakeMotor implements RegulatedMotor {
     private volatile boolean moving;
     private volatile boolean stalled;
     private volatile boolean slow;
+    private volatile RegulatedMotorListener listener;
 
     /** Where the motor is. */
     public void setTacho(int degrees) {
@@ -33,13 +34,24 @@ public final class FakeMotor implements RegulatedMotor {
 
     /** Ends a motion. */
     public void finish() {
-        moving = false;
+        run(false);
     }
 
     /** Ends a motion because the motor is stuck. */
     public void stall() {
         stalled = true;
-        moving = false;
+        run(false);
+    }
+
+    private void run(boolean yes) {
+        boolean before = moving;
+        moving = yes;
+        RegulatedMotorListener heard = listener;
+        if (heard != null && yes && !before) {
+            heard.rotationStarted(this, tacho, false, 0);
+        } else if (heard != null && !yes && before) {
+            heard.rotationStopped(this, tacho, stalled, 0);
+        }
     }
 
     /** Acceleration and speed, and the motion: "450, 450, rotate 204". */
@@ -65,26 +77,27 @@ public final class FakeMotor implements RegulatedMotor {
     @Override
     public void forward() {
         note("forward");
-        moving = true;
+        run(true);
     }
 
     @Override
     public void backward() {
         note("backward");
-        moving = true;
+        run(true);
     }
 
     @Override
     public void rotate(int angle, boolean immediateReturn) {
         note("rotate " + angle);
+        run(true);
         tacho += angle;
-        moving = slow;
+        run(slow);
     }
 
     @Override
     public void stop(boolean immediateReturn) {
         note("stop");
-        moving = false;
+        run(false);
     }
 
     @Override
@@ -169,15 +182,19 @@ public final class FakeMotor implements RegulatedMotor {
 
     @Override
     public void waitComplete() {
-        moving = false;
+        run(false);
     }
 
     @Override
-    public void addListener(RegulatedMotorListener listener) {}
+    public void addListener(RegulatedMotorListener listener) {
+        this.listener = listener;
+    }
 
     @Override
     public RegulatedMotorListener removeListener() {
-        return null;
+        RegulatedMotorListener before = listener;
+        listener = null;
+        return before;
     }
 
     @Override

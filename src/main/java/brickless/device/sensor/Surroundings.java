@@ -11,8 +11,6 @@ import brickless.world.Lamp;
  * <p>Guarded by the arena's monitor.
  */
 public final class Surroundings {
-    /** Light without any lamp, lux: assumption, a living room. */
-    public static final double ROOM_LUX = 100;
     /** Height of all lamps, metres: assumption; decides how fast their light fades with distance. */
     private static final double LAMP_HEIGHT = 0.5;
 
@@ -56,7 +54,7 @@ public final class Surroundings {
 
     /** Illuminance on the floor at a point, lux. */
     double lux(double x, double y) {
-        double sum = ROOM_LUX;
+        double sum = arena.description().ambientLux();
         for (Lamp lamp : arena.description().lamps()) {
             double dx = x - lamp.position().x();
             double dy = y - lamp.position().y();

@@ -123,7 +123,8 @@ final class RobotAssembler implements DrawingVisitor {
         double diameter = meaning.number("data-diameter-mm", RobotDefaults.TYRE_MILLIMETRES, 5, 500);
         wheels.add(new Wheel(ids.of(element), parts.motorPort(element), RobotPart.motor(meaning, MotorType.LARGE),
                 Lengths.metresFromMillimetres(diameter), meaning.number("data-gear-ratio", 1, 0.01, 100),
-                meaning.flag("data-inverted"), within(box.centre()), heading(scope), meaning.flag("data-omni")));
+                meaning.flag("data-inverted"), within(box.centre()), heading(scope), meaning.flag("data-omni"),
+                RobotPart.backlash(meaning)));
     }
 
     private void sensor(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {
@@ -161,7 +162,7 @@ final class RobotAssembler implements DrawingVisitor {
         turret = Optional.empty();
         turrets.add(new Turret(id, port, RobotPart.motor(meaning, MotorType.MEDIUM),
                 meaning.number("data-gear-ratio", 1, 0.01, 100), meaning.flag("data-inverted"), within(pivot(scope)),
-                outlines));
+                outlines, RobotPart.backlash(meaning)));
     }
 
     private void claw(SvgElement element, Scope scope) throws DescriptionException, MalformedValueException {

@@ -1,5 +1,6 @@
 package brickless.world.svg;
 
+import brickless.units.Angles;
 import brickless.world.DescriptionException;
 import brickless.world.MotorType;
 import brickless.world.SensorType;
@@ -34,6 +35,11 @@ final class RobotPart {
         String value = meaning.choice("data-motor", fallback.attribute(), allowed);
         return Arrays.stream(MotorType.values()).filter(type -> type.attribute().equals(value)).findFirst()
                 .orElseThrow();
+    }
+
+    /** Play of a gear train in radians; none unless the drawing says so. */
+    static double backlash(Meaning meaning) throws DescriptionException {
+        return Angles.radiansFromDegrees(meaning.number("data-backlash-degrees", 0, 0, 90));
     }
 
     SensorType sensor(SvgElement element, Meaning meaning) throws DescriptionException {

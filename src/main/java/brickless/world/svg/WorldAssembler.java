@@ -46,11 +46,13 @@ final class WorldAssembler implements DrawingVisitor {
         return assembler.world();
     }
 
-    private World world() {
+    private World world() throws DescriptionException {
+        double ambientLux = Meaning.none(document).with(document.root())
+                .number("data-ambient-lux", World.LIVING_ROOM_LUX, 0, GREATEST_LUX);
         return new World(SvgDocument.nameOf(document.file()), Lengths.metresFromMillimetres(page.minX()),
                 Lengths.metresFromMillimetres(page.minY()), Lengths.metresFromMillimetres(page.width()),
                 Lengths.metresFromMillimetres(page.height()), floor, obstacles, zones, beacons, lamps, table(),
-                placements, EmbeddedImages.textOf(document));
+                placements, EmbeddedImages.textOf(document), ambientLux);
     }
 
     @Override public boolean enter(SvgElement element, Scope scope)

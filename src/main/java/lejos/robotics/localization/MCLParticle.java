@@ -8,7 +8,8 @@ import lejos.robotics.navigation.Pose;
 
 /** One guess of the robot's pose, and how well it explains what the robot measures. */
 public class MCLParticle {
-    private static final Random RANDOM = new Random();
+    /** Chance; tests of this package choose its seed. */
+    static final Random RANDOM = new Random();
     private static final int FULL_TURN = 360;
 
     private static boolean debug;

@@ -17,7 +17,8 @@ public class MCLParticleSet implements Transmittable {
     /** How often {@link #resample} draws before it gives up; shared by all sets. */
     public static int maxIterations = 1000;
 
-    private static final Random RANDOM = new Random();
+    /** Chance; tests of this package choose its seed. */
+    static final Random RANDOM = new Random();
     private static final float FULL_TURN = 360;
     private static final float LEAST_MAX_WEIGHT = 0.01f;
     private static final float FAR_AWAY = 10_000;

@@ -157,9 +157,11 @@ public class OmniPilot implements ArcRotateMoveController, RegulatedMotorListene
         return direction;
     }
 
+    /** {@inheritDoc} Straight ahead: there the wheels turn slower than they would in their own direction. */
     @Override
     public double getMaxLinearSpeed() {
-        return StrictMath.toRadians(battery.getVoltage() * DEGREES_PER_SECOND_PER_VOLT) * wheelDiameter / 2;
+        double rim = StrictMath.toRadians(battery.getVoltage() * DEGREES_PER_SECOND_PER_VOLT) * wheelDiameter / 2;
+        return rim * 2 / StrictMath.sqrt(3);
     }
 
     @Override

@@ -104,12 +104,12 @@ final class OmniWheels {
         }
     }
 
-    /** Begins a motion that takes a time in seconds. */
+    /** Begins a motion that takes a time in seconds; fractions of degrees are dropped, as by all pilots. */
     synchronized void move(Motion motion, double seconds) {
         double[] wanted = degrees(motion);
         for (int i = 0; i < motors.length; i++) {
-            motors[i].setSpeed((int) Math.max(1, Math.abs(Math.round(wanted[i] / seconds))));
-            motors[i].rotate((int) Math.round(wanted[i]), true);
+            motors[i].setSpeed(Math.max(1, Math.abs((int) (wanted[i] / seconds))));
+            motors[i].rotate((int) wanted[i], true);
         }
     }
 

@@ -1,5 +1,6 @@
 package lejos.robotics.pathfinding;
 
+import java.util.Random;
 import lejos.robotics.RangeReading;
 import lejos.robotics.RangeReadings;
 import lejos.robotics.geometry.Point;
@@ -16,6 +17,9 @@ import lejos.robotics.navigation.WaypointListener;
  * itself.
  */
 public class RandomPathFinder implements PathFinder {
+    /** Chance; tests of this package choose its seed. */
+    static final Random RANDOM = new Random();
+
     private static final float LEAST_GAIN = 1;
     private static final float FULL_TURN = 360;
 
@@ -101,9 +105,9 @@ public class RandomPathFinder implements PathFinder {
 
     private Pose randomPose() {
         Rectangle area = map.getBoundingRect();
-        float x = area.x + clearance + (float) Math.random() * (area.width - 2 * clearance);
-        float y = area.y + clearance + (float) Math.random() * (area.height - 2 * clearance);
-        return new Pose(x, y, (float) Math.random() * FULL_TURN);
+        float x = area.x + clearance + RANDOM.nextFloat() * (area.width - 2 * clearance);
+        float y = area.y + clearance + RANDOM.nextFloat() * (area.height - 2 * clearance);
+        return new Pose(x, y, RANDOM.nextFloat() * FULL_TURN);
     }
 
     private boolean allRangesInReach(Pose pose) {

@@ -1,9 +1,13 @@
 package lejos.robotics.pathfinding;
 
 import java.util.Collection;
+import java.util.Random;
 
 /** A node that makes up its neighbours at random when first asked for them. There is no map: nothing is in the way. */
 public class RandomSelfGeneratingNode extends Node {
+    /** Chance; tests of this package choose its seed. */
+    static final Random RANDOM = new Random();
+
     private static Node goal;
 
     private final float maxDistance;
@@ -49,7 +53,7 @@ public class RandomSelfGeneratingNode extends Node {
     }
 
     private float offset() {
-        float distance = (float) Math.random() * maxDistance;
-        return Math.random() < 0.5 ? -distance : distance;
+        float distance = RANDOM.nextFloat() * maxDistance;
+        return RANDOM.nextBoolean() ? -distance : distance;
     }
 }

@@ -17,7 +17,8 @@ class ErrorsTest {
         "<rect id='w' data-solid='fxied' width='9' height='9'/> | test.svg:2: w: data-solid=\"fxied\" is not known; "
                 + "did you mean fixed?; allowed: fixed, movable, none",
         "<rect data-sold='fixed' width='9' height='9'/> | test.svg:2: <rect>: unknown attribute data-sold; did you "
-                + "mean data-solid?; allowed in a world file: data-beacon",
+                + "mean data-solid?; allowed in a world file: data-ambient-lux, "
+                + "data-beacon",
         "<rect data-port='A' width='9' height='9'/> | test.svg:2: <rect>: data-port belongs in a robot file, this is "
                 + "a world file",
         "<rect data-beacon='5' width='9' height='9'/> | test.svg:2: <rect>: data-beacon=\"5\" is not a number in "
@@ -25,6 +26,7 @@ class ErrorsTest {
         "<rect data-beacon='1.5' width='9' height='9'/> | data-beacon is a channel; allowed: 1, 2, 3, 4",
         "<rect data-lamp-lux='-3' width='9' height='9'/> | data-lamp-lux=\"-3\" is not a number in range; allowed: 0 "
                 + "to 200000",
+        "<g data-ambient-lux='5'/> | data-ambient-lux is said of the whole drawing; put it on the outermost svg",
         "<rect data-lamp-lux='bright' width='9' height='9'/> | data-lamp-lux=\"bright\" is not a number in range",
         "<rect data-edge='clif' width='9' height='9'/> | data-edge=\"clif\" is not known; did you mean cliff?; "
                 + "allowed: cliff",

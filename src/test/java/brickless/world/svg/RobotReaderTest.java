@@ -57,6 +57,13 @@ class RobotReaderTest {
                 true));
     }
 
+    @Test void backlashIsAnAngleOfTheWheelOrTurret() {
+        assertThat(robot("<rect data-part='wheel' data-port='A' data-backlash-degrees='5' width='9' height='9'/>")
+                .wheels().get(0).backlashRadians()).isCloseTo(Math.toRadians(5), within(1e-12));
+        assertThat(robot("<g data-part='turret' data-port='A' data-backlash-degrees='3'><circle r='9'/></g>")
+                .turrets().get(0).backlashRadians()).isCloseTo(Math.toRadians(3), within(1e-12));
+    }
+
     @Test void wheelWithDefaults() {
         Wheel wheel = robot("<rect data-part='wheel' data-port='A' x='-28' y='46' width='56' height='28'/>").wheels()
                 .get(0);

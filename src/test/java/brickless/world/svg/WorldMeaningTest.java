@@ -83,6 +83,12 @@ class WorldMeaningTest {
         assertThat(world.obstacles()).extracting(Obstacle::id).containsExactly("b");
     }
 
+    @Test void roomIsAsBrightAsTheDrawingSays() throws DescriptionException {
+        assertThat(SvgWorldReader.readText("night", "<svg viewBox='0 0 9 9' data-ambient-lux='2.5'/>").ambientLux())
+                .isEqualTo(2.5);
+        assertThat(SvgWorldReader.readText("room", "<svg viewBox='0 0 9 9'/>").ambientLux()).isEqualTo(100);
+    }
+
     @Test void drawnSymbolOfALampIsOneLamp() {
         World world = world("<defs><g id='bulb'><circle r='10'/><rect x='-5' y='10' width='10' height='10'/></g></defs>"
                 + "<use href='#bulb' x='100' y='100' data-lamp-lux='300'/>");

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 class FilterTest {
     @Test
     void filtersAgreeWithThePublishedOnes() {
-        Agreement.check(FilterDriver.class, 150, 2e-4, FilterDriver::play);
+        Agreement.check(FilterDriver.class, 1000, 2e-4, FilterDriver::play);
     }
 
     @Test

@@ -27,7 +27,7 @@ class DifferentialPilotTest {
 
     @Test
     void pilotsCommandTheirMotorsAsThePublishedOnes() {
-        Agreement.check(PilotDriver.class, 600, 2e-4, PilotDriver::play);
+        Agreement.check(PilotDriver.class, 2000, 2e-4, PilotDriver::play);
     }
 
     @Test

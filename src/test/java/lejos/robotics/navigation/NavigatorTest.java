@@ -19,7 +19,7 @@ class NavigatorTest {
 
     @Test
     void navigatorsLeadTheirPilotsAsThePublishedOne() {
-        Agreement.check(NavigatorDriver.class, 400, 2e-3, NavigatorDriver::play);
+        Agreement.check(NavigatorDriver.class, 1000, 2e-3, NavigatorDriver::play);
     }
 
     @Test
@@ -98,6 +98,20 @@ class NavigatorTest {
         driver.waitForStop();
         assertThat(car.calls()).containsExactly("arc -20.0 16.6", "arc infinite 126.5");
         assertThat(driver.getPoseProvider().getPose().distanceTo(new Waypoint(100, -100))).isLessThan(0.1f);
+    }
+
+    @Test
+    void noWayAlongArcsIsAnInterruption() {
+        FakeController car = new FakeController(20);
+        Navigator driver = new Navigator(car);
+        driver.addNavigationListener(journal);
+        driver.goTo(Float.NaN, 0);
+        assertThat(driver.waitForStop()).as("the path is not complete").isFalse();
+        assertThat(journal.lines()).singleElement().asString().startsWith("interrupted NaN");
+        assertThat(car.calls()).isEmpty();
+        driver.clearPath();
+        driver.goTo(100, -100);
+        assertThat(driver.waitForStop()).as("it still works").isTrue();
     }
 
     @Test

@@ -3,6 +3,7 @@ package lejos.robotics.navigation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import lejos.Agreement;
 import lejos.robotics.FakeMotor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,6 +18,11 @@ class SteeringPilotTest {
 
     SteeringPilotTest() {
         pilot.addMoveListener(journal);
+    }
+
+    @Test
+    void carsAndOmnidirectionalRobotsAreCommandedAsByThePublishedPilots() {
+        Agreement.check(OtherPilotsDriver.class, 60, 1.1e-3, OtherPilotsDriver::play);
     }
 
     @Test

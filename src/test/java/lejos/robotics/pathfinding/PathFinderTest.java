@@ -16,6 +16,7 @@ import lejos.robotics.navigation.DestinationUnreachableException;
 import lejos.robotics.navigation.Pose;
 import lejos.robotics.navigation.Waypoint;
 import lejos.robotics.navigation.WaypointListener;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class PathFinderTest {
@@ -27,9 +28,15 @@ class PathFinderTest {
     private final LineMap box = new LineMap(new Line[] {new Line(-5, -5, 5, -5), new Line(5, -5, 5, 5), new Line(5, 5, -5, 5),
         new Line(-5, 5, -5, -5)}, AREA);
 
+    @BeforeEach
+    void chooseTheSeed() {
+        RandomPathFinder.RANDOM.setSeed(1);
+        RandomSelfGeneratingNode.RANDOM.setSeed(2);
+    }
+
     @Test
     void pathsAreThoseOfThePublishedFinders() {
-        Agreement.check(PathDriver.class, 400, 2e-4, PathDriver::play);
+        Agreement.check(PathDriver.class, 2000, 2e-4, PathDriver::play);
     }
 
     @Test
@@ -106,6 +113,54 @@ class PathFinderTest {
         NodePathFinder finder = new NodePathFinder(new AstarSearchAlgorithm(), mesh);
         assertThatThrownBy(() -> finder.findRoute(start, goal)).isInstanceOf(DestinationUnreachableException.class);
         assertThat(mesh.getMesh()).hasSize(size);
+    }
+
+    @Test
+    void nodesOfAllGridsShareTheLastSpacing() {
+        GridNode first = new GridNode(0, 0, 10);
+        GridNode second = new GridNode(30, 40, 7);
+        assertThat(first.calculateG(second)).as("as in leJOS, static").isEqualTo(7);
+        assertThat(first.calculateH(second)).isEqualTo(70);
+        assertThat(new Node(0, 0).calculateG(second)).isEqualTo(50);
+    }
+
+    @Test
+    void linksAreOneWay() {
+        Node first = new Node(0, 0);
+        Node second = new Node(1, 1);
+        assertThat(first.addNeighbor(second)).isTrue();
+        assertThat(first.addNeighbor(second)).isFalse();
+        assertThat(first.addNeighbor(first)).isFalse();
+        assertThat(second.neighbors()).isZero();
+        assertThat(first.getNeighbors()).containsExactly(second);
+        assertThat(first.removeNeighbor(second)).isTrue();
+        assertThat(first.removeNeighbor(second)).isFalse();
+    }
+
+    @Test
+    void mapsGivenLaterAreAddedAndListsReplace() throws DestinationUnreachableException {
+        ShortestPathFinder finder = new ShortestPathFinder(wall);
+        finder.setMap(box);
+        assertThat(finder.getMap()).as("as in leJOS").hasSize(5);
+        finder.setMap(new ArrayList<>());
+        assertThat(finder.findRoute(start, goal)).hasSize(2);
+        finder.lengthenLines(5);
+        new ShortestPathFinder(wall).lengthenLines(5);
+        assertThat(wall.getLines()[0].length()).as("the map's own lines").isEqualTo(50);
+    }
+
+    @Test
+    void linksOfAGridCanBeCutAndMade() {
+        FourWayGridMesh mesh = new FourWayGridMesh(wall, 10, 2);
+        Node first = mesh.getMesh().iterator().next();
+        Node second = first.getNeighbors().iterator().next();
+        assertThat(mesh.disconnect(first, second)).isTrue();
+        assertThat(first.getNeighbors()).doesNotContain(second);
+        assertThat(mesh.disconnect(first, second)).as("always").isTrue();
+        assertThat(mesh.connect(first, second)).isTrue();
+        assertThat(mesh.connect(first, second)).as("linked already").isTrue();
+        assertThat(mesh.connect(new Node(45, 0), new Node(55, 0))).as("through the wall").isFalse();
+        assertThat(mesh.connect(first, new Node(-11, 0))).as("outside").isFalse();
     }
 
     @Test

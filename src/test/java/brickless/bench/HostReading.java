@@ -1,0 +1,41 @@
+package brickless.bench;
+
+import com.sun.management.OperatingSystemMXBean;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+
+/**
+ * What the host's clocks and counters say at one moment.
+ *
+ * @param wallNanos wall clock
+ * @param processNanos processor time of the whole JVM, its compiler and garbage collector included
+ * @param allocatedBytes what all threads that live now have allocated
+ */
+record HostReading(long wallNanos, long processNanos, long allocatedBytes) {
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+
+    static HostReading now() {
+        long bytes = Arrays.stream(THREADS.getThreadAllocatedBytes(THREADS.getAllThreadIds())).filter(b -> b > 0).sum();
+        return new HostReading(System.nanoTime(), SYSTEM.getProcessCpuTime(), bytes);
+    }
+
+    /** Processor time of the calling thread alone. */
+    static long ownNanos() {
+        return THREADS.getCurrentThreadCpuTime();
+    }
+
+    /** What the calling thread has allocated. */
+    static long ownBytes() {
+        return THREADS.getThreadAllocatedBytes(Thread.currentThread().getId());
+    }
+
+    double wallSecondsSince(HostReading earlier) {
+        return (wallNanos - earlier.wallNanos) / 1e9;
+    }
+
+    double processSecondsSince(HostReading earlier) {
+        return (processNanos - earlier.processNanos) / 1e9;
+    }
+}

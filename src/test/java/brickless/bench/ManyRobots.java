@@ -1,0 +1,64 @@
+package brickless.bench;
+
+import brickless.program.Program;
+import brickless.simulation.Run;
+import brickless.simulation.Simulation;
+import brickless.simulation.SimulationSettings;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryMXBean;
+import java.time.Duration;
+import programs.speed.Bumper;
+
+/** Many robots in one world, each with a program of its own: speed, and memory for each. */
+final class ManyRobots implements Measurement {
+    private static final Duration BEGINNING = Duration.ofMillis(100);
+    /** A few robots run as long as one program does, a thousand for ten seconds. */
+    private static final int ROBOT_SECONDS = 10_000;
+
+    private final int robots;
+
+    ManyRobots(int robots) {
+        this.robots = robots;
+    }
+
+    @Override public Figures measure(Effort effort) throws Exception {
+        int seconds = Math.max(1, Math.min(effort.simulatedSeconds(), effort.nest() ? Math.max(10, ROBOT_SECONDS / robots / 2) : 1));
+        long begin = System.nanoTime();
+        Figures last = round(seconds);
+        for (int i = 1; i < effort.rounds() && System.nanoTime() - begin < 2 * effort.warmUpMillis() * 1_000_000; i++) {
+            last = round(seconds);
+        }
+        return last;
+    }
+
+    private Figures round(int seconds) {
+        Simulation simulation = new Simulation(SimulationSettings.builder(new RobotGrid(robots).world()).robot(RobotGrid.model())
+                .limit(Duration.ofSeconds(seconds)).build());
+        double[] before = memory();
+        HostReading start = HostReading.now();
+        Run run = simulation.start(Program.onClassPath(Bumper.class.getName()));
+        run.advance(BEGINNING);
+        HostReading begun = HostReading.now();
+        double[] with = memory();
+        HostReading steady = HostReading.now();
+        run.toEnd();
+        HostReading end = HostReading.now();
+        if (!run.outcome().kind().equals("time-limit")) {
+            throw new IllegalStateException(run.report().text());
+        }
+        double simulated = seconds - BEGINNING.toMillis() / 1e3;
+        return new Figures().put("seconds", seconds).put("timesWall", simulated / end.wallSecondsSince(steady))
+                .put("timesCpu", simulated / end.processSecondsSince(steady))
+                .put("microsPerRobotStep", end.processSecondsSince(steady) * 1e6 / (simulated * 500 * robots))
+                .put("startMillis", begun.wallSecondsSince(start) * 1e3)
+                .put("heapKilobytesPerRobot", (with[0] - before[0]) / 1e3 / robots)
+                .put("classesKilobytesPerRobot", (with[1] - before[1]) / 1e3 / robots);
+    }
+
+    /** Heap in use after a collection, and memory outside it, bytes. */
+    private static double[] memory() {
+        MemoryMXBean memory = ManagementFactory.getMemoryMXBean();
+        System.gc();
+        return new double[] {memory.getHeapMemoryUsage().getUsed(), memory.getNonHeapMemoryUsage().getUsed()};
+    }
+}
