@@ -6,10 +6,8 @@ import brickless.world.World;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyDef;
-import org.jbox2d.pooling.normal.DefaultWorldPool;
 
 /**
  * A world with robots in it, computed in fixed steps.
@@ -18,12 +16,9 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
  */
 public final class Arena {
     private static final double NANOS_PER_SECOND = 1e9;
-    /** JBox2D's own defaults for its pools of vectors and of containers. */
-    private static final int POOL_SIZE = org.jbox2d.dynamics.World.WORLD_POOL_SIZE;
-    private static final int POOL_CONTAINER_SIZE = org.jbox2d.dynamics.World.WORLD_POOL_CONTAINER_SIZE;
 
     private final World description;
-    private final org.jbox2d.dynamics.World world;
+    private final LeanWorld world;
     private final List<RobotBody> robots;
     private final List<ObstacleBody> obstacles;
     private final Contacts contacts;
@@ -43,8 +38,7 @@ public final class Arena {
         this.settings = settings;
         this.stepNanos = settings.stepNanos();
         this.stepSeconds = stepNanos / NANOS_PER_SECOND;
-        this.world = new org.jbox2d.dynamics.World(new Vec2(0, 0), new DefaultWorldPool(POOL_SIZE, POOL_CONTAINER_SIZE), new LazyTree());
-        world.setContinuousPhysics(false);
+        this.world = new LeanWorld();
         Body ground = world.createBody(new BodyDef());
         List<ObstacleBody> solids = new ArrayList<>();
         for (Obstacle obstacle : description.obstacles()) {

@@ -15,14 +15,28 @@ final class BodyMotion {
     double sin;
     double inverseMass;
     double inverseInertia;
+    private final Rotation rotation;
+    private float solverInverseInertia = Float.NaN;
     private double centreX;
     private double centreY;
 
+    BodyMotion(Rotation rotation) {
+        this.rotation = rotation;
+    }
+
     void begin(Body body, Position position) {
+        if (body.m_invI != solverInverseInertia || body.m_invMass != inverseMass) {
+            weigh(body);
+        }
+        cos = rotation.to(position.a).cos();
+        sin = rotation.sin();
+    }
+
+    /** Takes over what changes only when the body gets another shape. */
+    private void weigh(Body body) {
+        solverInverseInertia = body.m_invI;
         inverseMass = body.m_invMass;
         inverseInertia = body.m_invI == 0 ? 0 : 1 / Decimetres.inertia(1 / body.m_invI);
-        cos = StrictMath.cos(position.a);
-        sin = StrictMath.sin(position.a);
         centreX = Decimetres.metres(body.m_sweep.localCenter.x);
         centreY = Decimetres.metres(body.m_sweep.localCenter.y);
     }

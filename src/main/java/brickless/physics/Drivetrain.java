@@ -27,7 +27,9 @@ final class Drivetrain extends Joint {
     private final Skid[] skids;
     private final double[] skidLoads;
     private final TurretGear[] gears;
-    private final BodyMotion motion = new BodyMotion();
+    private final Rotation rotation = new Rotation();
+    private final BodyMotion motion = new BodyMotion(rotation);
+    private final Clearance clearance = new Clearance();
     private double dt;
 
     Drivetrain(Body ground, Body robot, Shaft[] shafts, Tyre[] tyres, double[] tyreLimits, Skid[] skids,
@@ -58,6 +60,16 @@ final class Drivetrain extends Joint {
             }
         }
         throw new IllegalStateException("joint not found in the body's list");
+    }
+
+    /** Rotation of the robot's body. */
+    Rotation rotation() {
+        return rotation;
+    }
+
+    /** Room within the broad phase's boxes. */
+    Clearance clearance() {
+        return clearance;
     }
 
     /** Must be called before each step: the solver resets the mark of its own joints only. */

@@ -1,5 +1,7 @@
 package brickless.physics;
 
+import java.util.IdentityHashMap;
+import java.util.Map;
 import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
@@ -17,6 +19,7 @@ import org.jbox2d.common.Vec2;
  */
 final class LazyTree implements BroadPhaseStrategy {
     private final BroadPhaseStrategy tree = new DynamicTree();
+    private final Map<Object, Integer> proxies = new IdentityHashMap<>();
 
     @Override
     public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
@@ -30,11 +33,19 @@ final class LazyTree implements BroadPhaseStrategy {
 
     @Override
     public int createProxy(AABB box, Object userData) {
-        return tree.createProxy(box, userData);
+        int proxy = tree.createProxy(box, userData);
+        proxies.put(userData, proxy);
+        return proxy;
+    }
+
+    /** Number of the proxy with this user data. */
+    int proxyOf(Object userData) {
+        return proxies.get(userData);
     }
 
     @Override
     public void destroyProxy(int proxy) {
+        proxies.remove(tree.getUserData(proxy));
         tree.destroyProxy(proxy);
     }
 

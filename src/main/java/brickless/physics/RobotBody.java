@@ -20,6 +20,7 @@ public final class RobotBody implements Solid {
     private final String name;
     private final RobotModel model;
     private final RobotAssembly assembly;
+    private final Rotation rotation;
     private final List<Bumper> bumpers = new ArrayList<>();
     private final Map<SensorMount, Bumper> bumpersByMount = new HashMap<>();
     private double x;
@@ -34,6 +35,7 @@ public final class RobotBody implements Solid {
         this.model = entrant.model();
         this.assembly = new RobotAssembly(world, ground, this, entrant.start(), ideal, obstacles);
         this.body = assembly.body;
+        this.rotation = assembly.drivetrain.rotation();
         readPose();
     }
 
@@ -91,6 +93,7 @@ public final class RobotBody implements Solid {
         Bumper bumper = bumpersByMount.get(mount);
         if (bumper == null) {
             bumper = assembly.bumper(mount);
+            assembly.drivetrain.clearance().forget();
             bumpersByMount.put(mount, bumper);
             bumpers.add(bumper);
         }
@@ -114,8 +117,8 @@ public final class RobotBody implements Solid {
             py = pivot.y() + sin * dx + cos * dy;
             direction += angle;
         }
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
+        double cos = rotation.cos();
+        double sin = rotation.sin();
         out.x = x + cos * px - sin * py;
         out.y = y + sin * px + cos * py;
         out.headingRadians = heading + direction;
@@ -164,6 +167,7 @@ public final class RobotBody implements Solid {
         x = Decimetres.metres(body.getPosition().x);
         y = Decimetres.metres(body.getPosition().y);
         heading = body.getAngle();
+        rotation.to(body.getAngle());
     }
 
     /** Notes whether a driven wheel is over the edge; true when that happens for the first time. */
@@ -171,8 +175,8 @@ public final class RobotBody implements Solid {
         if (fallen) {
             return false;
         }
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
+        double cos = rotation.cos();
+        double sin = rotation.sin();
         for (int i = 0; i < model.wheels().size(); i++) {
             Point2 p = model.wheels().get(i).position();
             if (!table.contains(x + cos * p.x() - sin * p.y(), y + sin * p.x() + cos * p.y())) {
@@ -193,6 +197,7 @@ public final class RobotBody implements Solid {
         body.setTransform(new Vec2(Decimetres.of(pose.x()), Decimetres.of(pose.y())), angle);
         body.setLinearVelocity(new Vec2());
         body.setAngularVelocity(0);
+        assembly.drivetrain.clearance().forget();
         for (Turntable turret : assembly.turrets) {
             if (turret.body != null) {
                 Point2 pivot = turret.description.pivot();

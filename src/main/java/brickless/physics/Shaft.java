@@ -20,6 +20,7 @@ public final class Shaft {
     private double damping;
     private double friction = BARE_FRICTION;
     private double load;
+    private boolean stops;
     private double lowerStop = Double.NEGATIVE_INFINITY;
     private double upperStop = Double.POSITIVE_INFINITY;
 
@@ -78,6 +79,7 @@ public final class Shaft {
     public void setStops(double lowerRadians, double upperRadians) {
         lowerStop = lowerRadians;
         upperStop = upperRadians;
+        stops = lowerRadians > Double.NEGATIVE_INFINITY || upperRadians < Double.POSITIVE_INFINITY;
     }
 
     /** Applies the motor's torque to the free shaft and the last step's friction as a first guess. */
@@ -88,18 +90,25 @@ public final class Shaft {
         frictionLimit = friction * dt;
         frictionImpulse = clamp(frictionImpulse, frictionLimit);
         speed += frictionImpulse * inverseInertia;
-        slowest = (lowerStop - angle) / dt;
-        fastest = (upperStop - angle) / dt;
+        if (stops) {
+            slowest = (lowerStop - angle) / dt;
+            fastest = (upperStop - angle) / dt;
+        }
         stopImpulse = 0;
     }
 
     /** One relaxation of friction and stops. */
     void solve() {
+        if (speed == 0 && frictionImpulse == 0 && !stops) {
+            return;
+        }
         double wanted = frictionImpulse - speed / inverseInertia;
         double accumulated = clamp(wanted, frictionLimit);
         speed += (accumulated - frictionImpulse) * inverseInertia;
         frictionImpulse = accumulated;
-        solveStops();
+        if (stops) {
+            solveStops();
+        }
     }
 
     private void solveStops() {

@@ -54,8 +54,10 @@ final class Tyre {
         armX = body.armX(localX, localY);
         armY = body.armY(localX, localY);
         limit = limitNewtons * dt;
-        leastSlip = (lead - play) / dt;
-        mostSlip = (lead + play) / dt;
+        if (play > 0) {
+            leastSlip = (lead - play) / dt;
+            mostSlip = (lead + play) / dt;
+        }
         double armAlong = armX * forwardY - armY * forwardX;
         double armAcross = armX * forwardX + armY * forwardY;
         alongMass = 1 / (body.inverseMass + armAlong * armAlong * body.inverseInertia + lever * lever

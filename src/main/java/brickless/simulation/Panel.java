@@ -63,7 +63,9 @@ final class Panel implements PanelListener {
     }
 
     void step(long nowNanos) {
-        policy.ifPresent(p -> p.step(nowNanos));
+        if (policy.isPresent()) {
+            policy.get().step(nowNanos);
+        }
         chords.step(nowNanos);
         screen.step(nowNanos);
     }

@@ -1,6 +1,8 @@
 package brickless.simulation;
 
 import brickless.program.Program;
+import brickless.trace.TraceListener;
+import java.lang.reflect.Modifier;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -49,9 +51,24 @@ public final class Simulation {
         return new Simulation(settings.toBuilder().seed(seed).out(out).build(), started);
     }
 
-    /** Starts the main method of a class of this JVM's class path; it stands still before its first instruction. */
+    /**
+     * Starts the main method of a class of this JVM's class path; it stands still before its first instruction.
+     *
+     * @throws SetupException if it has none, or program, world and robot do not fit together
+     */
     public Run start(Class<?> mainClass) {
+        if (!hasMain(mainClass)) {
+            throw new SetupException(mainClass.getName() + ": has no method public static void main(String[])");
+        }
         return start(Program.onClassPath(mainClass.getName()));
+    }
+
+    private static boolean hasMain(Class<?> type) {
+        try {
+            return Modifier.isStatic(type.getMethod("main", String[].class).getModifiers());
+        } catch (NoSuchMethodException e) {
+            return false;
+        }
     }
 
     /**
@@ -60,7 +77,17 @@ public final class Simulation {
      * @throws SetupException if program, world and robot do not fit together
      */
     public Run start(Program program) {
-        return start(program, Optional.empty());
+        return start(program, Optional.empty(), TraceListener.NONE);
+    }
+
+    /**
+     * Starts a program and tells somebody what the trace tells; it stands still before its first instruction.
+     *
+     * @param listener called by the thread of this call, then by the run while it goes on
+     * @throws SetupException if program, world and robot do not fit together
+     */
+    public Run start(Program program, TraceListener listener) {
+        return start(program, Optional.empty(), listener);
     }
 
     /**
@@ -71,14 +98,14 @@ public final class Simulation {
      * @throws SetupException if program, world and robot do not fit together
      */
     public Run start(Class<?> program, ProgramBody body) {
-        return start(Program.onClassPath(program.getName()), Optional.of(body));
+        return start(Program.onClassPath(program.getName()), Optional.of(body), TraceListener.NONE);
     }
 
-    private Run start(Program program, Optional<ProgramBody> body) {
+    private Run start(Program program, Optional<ProgramBody> body, TraceListener listener) {
         int number = runs.incrementAndGet();
         Optional<Path> out = settings.out().map(folder -> number == 1 ? folder
                 : folder.resolveSibling(folder.getFileName() + "-" + number));
-        Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body));
+        Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body, listener));
         started.accept(run);
         return run;
     }

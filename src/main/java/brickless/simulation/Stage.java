@@ -9,12 +9,17 @@ import brickless.physics.Entrant;
 import brickless.physics.ObstacleBody;
 import brickless.program.Program;
 import brickless.trace.BodySample;
+import brickless.trace.ReportScene;
 import brickless.trace.Sample;
 import brickless.trace.TraceEvent;
 import brickless.trace.TraceHeader;
+import brickless.trace.TraceListener;
 import brickless.world.Pose2;
+import brickless.world.RobotModel;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -26,7 +31,6 @@ final class Stage {
     /** Time between samples of the trace: 50 ms is smooth enough for replays and small enough for long runs. */
     static final long SAMPLE_NANOS = 50_000_000;
 
-    private static final Pose2 NOWHERE = new Pose2(0, 0, 0);
     /** Obstacles that moved less, metres or radians, count as unmoved. */
     private static final double LEAST_DISPLACEMENT = 1e-3;
 
@@ -44,7 +48,7 @@ final class Stage {
     private long steps;
 
     /** Builds the arena for a crew, whose members are to {@link #enter} it in their order. */
-    Stage(SimulationSettings settings, Program program, List<Crew.Member> crew) {
+    Stage(SimulationSettings settings, Program program, List<Crew.Member> crew, TraceListener listener) {
         this.settings = settings;
         this.program = program;
         arena = new Arena(settings.world(), crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(),
@@ -52,7 +56,7 @@ final class Stage {
         new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
         recorder = new Recorder(folder, new TraceHeader(program.mainClass(), settings.world().name(), crew.stream().map(m -> m.model().name()).toList(),
-                settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
+                settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS), listener);
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
         surroundings = new Surroundings(arena, FloorColour.of(settings.world()), settings.seed(), settings.ideal());
@@ -69,7 +73,7 @@ final class Stage {
     /** Everybody has entered. */
     void begin() {
         stimulator.drive(robots);
-        sample();
+        sample(0);
     }
 
     long stepNanos() {
@@ -109,22 +113,41 @@ final class Stage {
             robots.get(i).afterStep(timeNanos);
         }
         if (timeNanos % SAMPLE_NANOS == 0) {
-            sample();
+            sample(timeNanos);
         }
     }
 
-    private void sample() {
+    /** Records the state after the last step; programs may have got a little further since. */
+    private void sample(long timeNanos) {
+        recorder.sample(new Sample(timeNanos, robots.stream().map(robot -> robot.sample(now)).toList(), bodies()));
+    }
+
+    /** Where everything is now. */
+    Frame frame() {
+        return new Frame(now, robots.stream().map(RobotSession::frame).toList(), bodies());
+    }
+
+    /** What to draw the run with. */
+    ReportScene scene() {
+        Map<String, RobotModel> models = new LinkedHashMap<>();
+        robots.forEach(robot -> models.put(robot.name(), robot.model()));
+        return new ReportScene(settings.world(), models);
+    }
+
+    private List<BodySample> bodies() {
         List<BodySample> bodies = new ArrayList<>();
         for (ObstacleBody obstacle : arena.obstacles()) {
-            Pose2 displacement = obstacle.description().movable() ? obstacle.displacement() : NOWHERE;
-            if (displaced(displacement)) {
-                bodies.add(new BodySample(obstacle.name(), displacement));
+            if (obstacle.movable() && obstacle.displaced()) {
+                Pose2 displacement = obstacle.displacement();
+                if (noticeable(displacement)) {
+                    bodies.add(new BodySample(obstacle.name(), displacement));
+                }
             }
         }
-        recorder.sample(new Sample(now, robots.stream().map(robot -> robot.sample(now)).toList(), bodies));
+        return bodies;
     }
 
-    private static boolean displaced(Pose2 displacement) {
+    private static boolean noticeable(Pose2 displacement) {
         return Math.abs(displacement.x()) > LEAST_DISPLACEMENT || Math.abs(displacement.y()) > LEAST_DISPLACEMENT
                 || Math.abs(displacement.headingRadians()) > LEAST_DISPLACEMENT;
     }
@@ -134,14 +157,15 @@ final class Stage {
         double wallSeconds = wallClock.elapsedSeconds();
         robots.forEach(RobotSession::finish);
         if (now % SAMPLE_NANOS != 0) {
-            sample();
+            sample(Math.max(now, outcome.timeNanos()));
         }
         recorder.event(outcome.timeNanos(), robots.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         String hash = recorder.finish();
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
-        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
-                settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
+        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(),
+                first.fitted() ? "auto" : first.model().name(), settings.seed(), outcome,
+                settings.goal(), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
                 Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, robots).write(report));

@@ -89,9 +89,19 @@ public final class JsonFields {
         return values.get(name) != null;
     }
 
+    /** Whether the field is a string. */
+    public boolean isText(String name) {
+        return values.get(name) instanceof String;
+    }
+
     /** A string. */
     public String text(String name) {
         return of(name, String.class, "a string", values.get(name));
+    }
+
+    /** An object. */
+    public JsonFields object(String name) {
+        return of(name, JsonFields.class, "an object", values.get(name));
     }
 
     /** A whole number. */

@@ -3,6 +3,7 @@ package brickless.trace;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -17,6 +18,7 @@ import java.util.HexFormat;
 public final class TraceWriter implements AutoCloseable {
     private final OutputStream out;
     private final MessageDigest digest;
+    private final SampleLine line = new SampleLine();
     private String hash;
 
     /** Creates a writer and writes the header line. */
@@ -32,42 +34,23 @@ public final class TraceWriter implements AutoCloseable {
 
     /** Writes an event of one robot. */
     public void event(long timeNanos, String robot, TraceEvent event) {
-        append(JsonText.object(line -> {
-            line.seconds("t", timeNanos).text("type", event.type()).text("robot", robot);
-            event.write(line);
-        }));
+        append(TraceLine.event(timeNanos, robot, event));
     }
 
     /** Writes a sample. */
     public void sample(Sample sample) {
-        append(JsonText.object(line -> {
-            line.seconds("t", sample.timeNanos()).text("type", "sample");
-            line.objects("robots", sample.robots(), TraceWriter::robot);
-            if (!sample.bodies().isEmpty()) {
-                line.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.displacement()));
-            }
-        }));
-    }
-
-    private static void robot(RobotSample robot, JsonLine line) {
-        pose(line.text("name", robot.name()), robot.pose());
-        line.objects("motors", robot.motors(), (motor, fields) -> fields.text("port", String.valueOf(motor.port()))
-                .number("tacho", motor.tachoDegrees(), 2).number("speed", motor.degreesPerSecond(), 1)
-                .number("duty", motor.dutyPercent(), 1).number("amperes", motor.amperes(), 3));
-        line.objects("sensors", robot.sensors(), (sensor, fields) -> fields.integer("port", sensor.port()).text("kind", sensor.kind())
-                .numbers("values", sensor.values(), 4));
-        line.number("volts", robot.batteryVolts(), 3);
-    }
-
-    private static JsonLine pose(JsonLine line, brickless.world.Pose2 pose) {
-        return line.number("x", pose.x(), 5).number("y", pose.y(), 5).number("heading", StrictMath.toDegrees(pose.headingRadians()), 3);
+        append(line.write(sample));
     }
 
     private void append(String line) {
         byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
-        digest.update(bytes);
+        append(ByteBuffer.wrap(bytes));
+    }
+
+    private void append(ByteBuffer bytes) {
+        digest.update(bytes.array(), 0, bytes.limit());
         try {
-            out.write(bytes);
+            out.write(bytes.array(), 0, bytes.limit());
         } catch (IOException e) {
             throw new UncheckedIOException("cannot write the trace", e);
         }

@@ -92,7 +92,7 @@ final class BareSolver extends StepCost {
         Body body = body(BodyType.DYNAMIC, x, y);
         box(body, -0.3f, 0, 0.8f, 0.7f, 0.8f / (1.6f * 1.4f));
         box(body, 0.6f, 0, 0.05f, 0.58f, 0);
-        rub(body, 60, 30);
+        rub(body, 1, 0.5f);
         return body;
     }
 

@@ -16,6 +16,8 @@ final class Facts {
     private final Map<String, HardwareHints.Device> devices = new TreeMap<>();
     private final Map<String, Axle> wheels = new LinkedHashMap<>();
     private final Map<String, Set<String>> names = new LinkedHashMap<>();
+    private final Map<String, Double> numbers = new LinkedHashMap<>();
+    private boolean argumentsArrived;
     private final SortedSet<String> reversed = new TreeSet<>();
 
     /** Adds knowledge about a field, argument, result or object. */
@@ -23,6 +25,18 @@ final class Facts {
         if (clue != null && clue.known()) {
             places.merge(place, clue, Clue::or);
         }
+    }
+
+    /** Adds knowledge about what a method returns, once arguments had time to arrive: what it makes depends on them. */
+    void returned(String method, Clue clue) {
+        if (argumentsArrived) {
+            learn(method, clue);
+        }
+    }
+
+    /** Arguments have arrived where they are used. */
+    void argumentsArrived() {
+        argumentsArrived = true;
     }
 
     Clue at(String place) {
@@ -58,13 +72,23 @@ final class Facts {
         }
     }
 
+    /** Notes that a field or variable of this name holds a number, the first time it does. */
+    void number(String name, Clue value) {
+        if (value.is(Clue.Kind.NUMBER) && value.number() > 0) {
+            numbers.putIfAbsent(name, value.number());
+        }
+    }
+
     void device(String port, String lejosClass) {
         devices.merge(port, new HardwareHints.Device(port, lejosClass, ""), (old, found) -> old);
     }
 
+    /** Notes a wheel; one at a known port counts more than one that may be at any of several. */
     void wheel(SortedSet<String> ports, Axle axle) {
-        if (axle.isComplete()) {
-            ports.forEach(port -> wheels.put(port, axle));
+        if (axle.isComplete() && ports.size() == 1) {
+            wheels.put(ports.first(), axle);
+        } else if (axle.isComplete()) {
+            ports.forEach(port -> wheels.putIfAbsent(port, axle));
         }
     }
 
@@ -77,7 +101,7 @@ final class Facts {
         return new HardwareHints(devices(1), devices(2),
                 wheels.entrySet().stream().filter(wheel -> !wheel.getValue().isOmni()).map(wheel -> ordinary(wheel.getKey(), wheel.getValue())).toList(),
                 wheels.entrySet().stream().filter(wheel -> wheel.getValue().isOmni()).map(wheel -> omni(wheel.getKey(), wheel.getValue())).toList(),
-                reversed);
+                reversed, numbers);
     }
 
     private List<HardwareHints.Device> devices(int lengthOfPort) {

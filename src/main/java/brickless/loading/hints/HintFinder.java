@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -24,7 +25,10 @@ import org.objectweb.asm.tree.analysis.Frame;
  * still recognised where a motor is made of it. Branches are not decided: what may happen counts.
  */
 public final class HintFinder {
-    private static final int PASSES = 5;
+    private static final int PASSES = 7;
+    /** Passes for arguments alone: how many calls deep they travel before results of methods are believed. */
+    private static final int ARGUMENT_PASSES = 2;
+    private static final Set<Integer> STORES = Set.of(Opcodes.ASTORE, Opcodes.ISTORE, Opcodes.FSTORE, Opcodes.DSTORE);
 
     private HintFinder() {}
 
@@ -39,6 +43,9 @@ public final class HintFinder {
         Facts facts = new Facts();
         classes.forEach(type -> constants(type, facts));
         for (int pass = 0; pass < PASSES; pass++) {
+            if (pass == ARGUMENT_PASSES) {
+                facts.argumentsArrived();
+            }
             for (ClassNode type : classes) {
                 type.methods.forEach(method -> interpret(type, method, facts));
             }
@@ -49,7 +56,9 @@ public final class HintFinder {
     private static void constants(ClassNode type, Facts facts) {
         for (FieldNode field : type.fields) {
             if (field.value != null) {
-                facts.learn(type.name + "." + field.name, HintInterpreter.ofConstant(field.value));
+                Clue constant = HintInterpreter.ofConstant(field.value);
+                facts.learn(type.name + "." + field.name, constant);
+                facts.number(field.name, constant);
             }
         }
     }
@@ -80,7 +89,7 @@ public final class HintFinder {
 
     private static void names(MethodNode method, Frame<Clue>[] frames, Map<AbstractInsnNode, Integer> places, Facts facts) {
         for (AbstractInsnNode instruction : method.instructions) {
-            if (instruction.getOpcode() != Opcodes.ASTORE || frames[places.get(instruction)] == null || method.localVariables == null) {
+            if (!STORES.contains(instruction.getOpcode()) || frames[places.get(instruction)] == null || method.localVariables == null) {
                 continue;
             }
             Frame<Clue> frame = frames[places.get(instruction)];
@@ -89,6 +98,7 @@ public final class HintFinder {
             for (LocalVariableNode variable : method.localVariables) {
                 if (variable.index == local) {
                     facts.named(stored, variable.name);
+                    facts.number(variable.name, stored);
                 }
             }
         }
