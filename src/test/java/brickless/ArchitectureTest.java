@@ -56,6 +56,8 @@ class ArchitectureTest {
         TABLE.put("brickless.junit", List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.world.svg",
                 "org.junit.jupiter.api..", "org.junit.platform.commons.support", "org.opentest4j"));
         TABLE.put("brickless.junit.brick", List.of("org.junit.jupiter.api", "org.junit.platform.commons.support"));
+        TABLE.put("brickless.viewer", List.of("brickless.simulation", "brickless.program", "brickless.trace", "brickless.world",
+                "com.sun.net.httpserver"));
         TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
                 "picocli..", "org.slf4j.."));
     }

@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
 
 /** {@code brickless}: runs leJOS EV3 programs without a brick. */
 @Command(name = "brickless", description = "Runs leJOS EV3 programs without a brick.", mixinStandardHelpOptions = true,
-        versionProvider = Main.Version.class, subcommands = {RunCommand.class, ReplayCommand.class, CheckCommand.class, ExploreCommand.class,
+        versionProvider = Main.Version.class, subcommands = {RunCommand.class, ViewCommand.class, ReplayCommand.class, CheckCommand.class, ExploreCommand.class,
                 SweepCommand.class})
 public final class Main implements Runnable {
     /** Exit status for bad input. */

@@ -2,9 +2,6 @@ package brickless.cli;
 
 import brickless.simulation.FinishedRun;
 import brickless.simulation.SetupException;
-import java.awt.Desktop;
-import java.awt.GraphicsEnvironment;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -28,23 +25,10 @@ final class ReplayCommand implements Callable<Integer> {
         try {
             Path page = FinishedRun.open(folder).report();
             String address = page.toAbsolutePath().normalize().toUri().toString();
-            main.out().println(printPath || !opened(page) ? address : "opened " + address);
+            main.out().println(printPath || !DesktopBrowser.show(page.toAbsolutePath().normalize().toUri()) ? address : "opened " + address);
             return 0;
         } catch (SetupException e) {
             throw new UsageException(e.getMessage());
-        }
-    }
-
-    /** Shows the page in the browser; a machine without a screen or a browser has to do with the address. */
-    private static boolean opened(Path page) {
-        if (GraphicsEnvironment.isHeadless() || !Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.BROWSE)) {
-            return false;
-        }
-        try {
-            Desktop.getDesktop().browse(page.toAbsolutePath().normalize().toUri());
-            return true;
-        } catch (IOException e) {
-            return false;
         }
     }
 }

@@ -30,12 +30,21 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--verbose", description = "Logs arbitration and scheduling.")
     private boolean verbose;
 
+    @Option(names = "--view", description = "Shows the run in the browser while it runs, see view.")
+    private boolean view;
+
+    @Mixin
+    private ViewFlags flags;
+
     @ParentCommand
     private Main main;
 
     @Override public Integer call() throws Exception {
         if (verbose) {
             System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", "debug");
+        }
+        if (view) {
+            return new Showing(main.out()).show(options, flags, Optional.ofNullable(out), json);
         }
         try (Program program = options.findProgram()) {
             SimulationSettings settings = options.settings();

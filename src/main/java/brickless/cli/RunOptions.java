@@ -25,7 +25,8 @@ import picocli.CommandLine.TypeConversionException;
 
 /** What the commands that run a program have in common. */
 final class RunOptions {
-    private static final long DEFAULT_LIMIT_MILLIS = 60_000;
+    private static final Duration USUAL_LIMIT = Duration.ofSeconds(60);
+    private static final Duration UNLIMITED = Duration.ofNanos(Long.MAX_VALUE);
 
     @Parameters(index = "0", paramLabel = "PROGRAM",
             description = "Class name, .java or .class file, directory of sources or classes, or jar.")
@@ -44,9 +45,9 @@ final class RunOptions {
             description = "Robot: SVG file, bundled name, or auto = fitted to the program (default).")
     String robot;
 
-    @Option(names = "--for", paramLabel = "TIME", defaultValue = "60s", converter = PositiveDuration.class,
-            description = "Simulated time limit: 500ms, 60s, 2m (default: 60s).")
-    Duration limit;
+    @Option(names = "--for", paramLabel = "TIME", converter = PositiveDuration.class,
+            description = "Simulated time limit: 500ms, 60s, 2m (default: 60s; view: none).")
+    private Duration limit;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of noise and of the program's random numbers (default: 1).")
     long seed;
@@ -57,9 +58,12 @@ final class RunOptions {
     @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
     Path stimuli;
 
-    @Option(names = "--buttons", paramLabel = "POLICY", defaultValue = "auto", converter = ButtonsConverter.class,
-            description = "auto: keys the program waits for are pressed; none: never (default: auto).")
-    Buttons buttons;
+    @Option(names = "--buttons", paramLabel = "POLICY", converter = ButtonsConverter.class,
+            description = "auto: keys the program waits for are pressed; none: never (default: auto; view: none).")
+    private Buttons buttons;
+
+    @Option(names = "--attended", description = "Somebody watches the brick: an exception waits on its screen for a key (always so in view).")
+    private boolean attended;
 
     @Option(names = "--until", paramLabel = "GOAL", converter = GoalConverter.class,
             description = "zone:NAME or exit: the run succeeds only if this is reached.")
@@ -71,6 +75,21 @@ final class RunOptions {
     @Option(names = "--backend", paramLabel = "BACKEND", defaultValue = "auto", converter = BackendConverter.class,
             description = "auto, threads or continuation: how program threads are carried (default: auto).")
     BackendChoice backend;
+
+    private boolean live;
+
+    /** Somebody is there: no time limit and no automatic keys unless asked for, and exceptions wait for a key. */
+    void forPeople() {
+        live = true;
+    }
+
+    private Duration limit() {
+        return limit != null ? limit : live ? UNLIMITED : USUAL_LIMIT;
+    }
+
+    private boolean pressButtons() {
+        return buttons != null ? buttons == Buttons.AUTO : !live;
+    }
 
     Program findProgram() {
         try {
@@ -94,8 +113,8 @@ final class RunOptions {
         Library library = new Library(Path.of(""));
         try {
             World arena = library.world(worldName);
-            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(worldName).seed(seed).limit(limit).ideal(ideal)
-                    .pressButtons(buttons == Buttons.AUTO).backend(backend).goal(Optional.ofNullable(goal))
+            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(worldName).seed(seed).limit(limit()).ideal(ideal)
+                    .pressButtons(pressButtons()).attended(attended || live).backend(backend).goal(Optional.ofNullable(goal))
                     .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
             if (!robot.equals("auto")) {
                 settings.robot(library.robot(robot));
@@ -111,17 +130,22 @@ final class RunOptions {
 
     /** The command that runs the same again, without a schedule seed. */
     String commandLine() {
+        return commandLine(limit(), seed, stimuli);
+    }
+
+    /** The command that runs the same with another seed, stimuli from another file, and another limit. */
+    String commandLine(Duration until, long otherSeed, Path stimuliFile) {
         StringBuilder words = new StringBuilder("brickless run ").append(program);
         append(words, "--main", main);
         append(words, "--classpath", classPath.isEmpty() ? null : classPath);
         append(words, "--world", world.equals("pen") ? null : world);
         append(words, "--robot", robot.equals("auto") ? null : robot);
-        append(words, "--for", limit.toMillis() == DEFAULT_LIMIT_MILLIS ? null : limit.toMillis() + "ms");
-        append(words, "--seed", seed == 1 ? null : String.valueOf(seed));
-        append(words, "--stimuli", stimuli == null ? null : stimuli.toString());
-        append(words, "--buttons", buttons == Buttons.AUTO ? null : "none");
+        append(words, "--for", until.equals(USUAL_LIMIT) ? null : Durations.text(until));
+        append(words, "--seed", otherSeed == 1 ? null : String.valueOf(otherSeed));
+        append(words, "--stimuli", stimuliFile == null ? null : stimuliFile.toString());
+        append(words, "--buttons", pressButtons() ? null : "none");
         append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
-        return words.append(ideal ? " --ideal" : "").toString();
+        return words.append(attended || live ? " --attended" : "").append(ideal ? " --ideal" : "").toString();
     }
 
     private static void append(StringBuilder words, String option, String value) {

@@ -6,7 +6,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Cuts a simple polygon into convex pieces of at most eight corners: ear clipping, then merging over shared diagonals.
+ * Cuts a simple polygon into convex pieces of at most eight corners: slices of a round one, else ear clipping, then
+ * merging over shared diagonals.
  * The result depends on the order of the corners only, never on hashing.
  */
 final class ConvexParts {
@@ -27,8 +28,11 @@ final class ConvexParts {
         if (ring.size() < 3) {
             return List.of();
         }
-        List<List<Point2>> pieces = ears(ring);
-        mergeAll(pieces);
+        List<List<Point2>> pieces = slices(ring);
+        if (!pieces.stream().allMatch(ConvexParts::convex)) {
+            pieces = ears(ring);
+            mergeAll(pieces);
+        }
         pieces.removeIf(piece -> signedArea(piece) < SMALLEST_AREA);
         return pieces;
     }
@@ -68,6 +72,27 @@ final class ConvexParts {
         List<Point2> reversed = new ArrayList<>(ring);
         Collections.reverse(reversed);
         return reversed;
+    }
+
+    /**
+     * A round outline is cut like a pie. Ears of it would be thin slivers: what gets a few millimetres into one would be
+     * pushed on towards the middle instead of out.
+     */
+    private static List<List<Point2>> slices(List<Point2> ring) {
+        if (ring.size() <= MAX_CORNERS || !convex(ring)) {
+            return new ArrayList<>(List.of(ring));
+        }
+        Point2 middle = Shapes.centroid(List.of(ring));
+        int count = Math.max(3, (ring.size() + MAX_CORNERS - 3) / (MAX_CORNERS - 2));
+        List<List<Point2>> slices = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            List<Point2> slice = new ArrayList<>(List.of(middle));
+            for (int corner = i * ring.size() / count; corner <= (i + 1) * ring.size() / count; corner++) {
+                slice.add(ring.get(corner % ring.size()));
+            }
+            slices.add(slice);
+        }
+        return slices;
     }
 
     private static List<List<Point2>> ears(List<Point2> ring) {

@@ -26,12 +26,14 @@ public final class ObstacleBody implements Solid {
     final int index;
     private final Obstacle description;
     private final Point2 centre;
+    private final double radius;
 
     ObstacleBody(org.jbox2d.dynamics.World world, Body ground, Obstacle description, int index) {
         this.description = description;
         this.index = index;
         List<List<Point2>> pieces = Shapes.pieces(description.outlines());
         this.centre = Shapes.centroid(pieces);
+        this.radius = Shapes.radius(pieces, centre);
         BodyDef definition = new BodyDef();
         definition.type = description.movable() ? BodyType.DYNAMIC : BodyType.STATIC;
         definition.position.set(Decimetres.of(centre.x()), Decimetres.of(centre.y()));
@@ -97,9 +99,24 @@ public final class ObstacleBody implements Solid {
         return new Pose2(x - (cos * centre.x() - sin * centre.y()), y - (sin * centre.x() + cos * centre.y()), angle);
     }
 
+    /** Present x of the centroid, metres. */
+    public double centreX() {
+        return Decimetres.metres(body.getPosition().x);
+    }
+
+    /** Present y of the centroid, metres. */
+    public double centreY() {
+        return Decimetres.metres(body.getPosition().y);
+    }
+
+    /** Distance of its farthest point from the centroid, metres. */
+    public double radiusMetres() {
+        return radius;
+    }
+
     /** Present place of the centroid. */
     public Point2 centre() {
-        return new Point2(Decimetres.metres(body.getPosition().x), Decimetres.metres(body.getPosition().y));
+        return new Point2(centreX(), centreY());
     }
 
     /** Kinetic energy, joules. */

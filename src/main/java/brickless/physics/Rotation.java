@@ -3,24 +3,22 @@ package brickless.physics;
 /** Sine and cosine of a body's angle, computed once for every angle: a robot that drives turns, solves, and looks with the same ones. */
 final class Rotation {
     private float angle = Float.NaN;
-    private double cos;
-    private double sin;
+    private final SineCosine trigonometry = new SineCosine();
 
     /** Makes this the rotation by an angle in radians. */
     Rotation to(float radians) {
         if (radians != angle) {
             angle = radians;
-            cos = StrictMath.cos(radians);
-            sin = StrictMath.sin(radians);
+            trigonometry.of(radians);
         }
         return this;
     }
 
     double cos() {
-        return cos;
+        return trigonometry.cos();
     }
 
     double sin() {
-        return sin;
+        return trigonometry.sin();
     }
 }

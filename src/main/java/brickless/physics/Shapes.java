@@ -47,6 +47,19 @@ final class Shapes {
         return area == 0 ? new Point2(0, 0) : new Point2(x / area, y / area);
     }
 
+    /** Distance of the farthest corner from a point. */
+    static double radius(List<List<Point2>> pieces, Point2 centre) {
+        double squared = 0;
+        for (List<Point2> piece : pieces) {
+            for (Point2 p : piece) {
+                double dx = p.x() - centre.x();
+                double dy = p.y() - centre.y();
+                squared = Math.max(squared, dx * dx + dy * dy);
+            }
+        }
+        return Math.sqrt(squared);
+    }
+
     /** Adds pieces to a body whose own frame has its origin at {@code origin}. */
     static void attach(Body body, List<List<Point2>> pieces, Point2 origin, FixtureDef template) {
         for (List<Point2> piece : pieces) {

@@ -27,6 +27,18 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
         return hints.omniWheels().size() >= HOLONOMIC ? holonomic(hints) : twoWheels(DriveFit.of(hints));
     }
 
+    /** Motors that move no wheel: something is on their axle that a program does not tell. */
+    List<String> tools(HardwareHints hints) {
+        return hints.motors().stream().filter(motor -> elements.stream().noneMatch(element -> element.contains(port(motor.port()))))
+                .map(motor -> format("<g data-part=\"turret\" id=\"motor-%s\"%s data-motor=\"%s\"/>", motor.port().toLowerCase(Locale.ROOT),
+                        port(motor.port()), DriveFit.motorAt(hints, motor.port())))
+                .toList();
+    }
+
+    private static String port(String name) {
+        return " data-port=\"" + name + "\"";
+    }
+
     private static ChassisDrawing twoWheels(DriveFit drive) {
         double width = Math.max(70, drive.trackMillimetres() - 34);
         List<String> elements = new ArrayList<>();

@@ -44,19 +44,30 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
         }
         List<HardwareHints.Device> pair = guessedPair(hints.motors());
         boolean swapped = Side.of(pair.get(1).name()) == Side.LEFT || Side.of(pair.get(0).name()) == Side.RIGHT;
-        return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0)), guessed(hints, pair.get(swapped ? 0 : 1)), DEFAULT_TRACK);
+        NamedSizes sizes = NamedSizes.of(hints.numbers());
+        double diameter = sizes.diameterMillimetres().orElse(TyreSize.DEFAULT_MILLIMETRES);
+        return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0), diameter), guessed(hints, pair.get(swapped ? 0 : 1), diameter),
+                plausible(sizes.trackMillimetres().orElse(DEFAULT_TRACK)));
     }
 
-    private static Wheel guessed(HardwareHints hints, HardwareHints.Device motor) {
-        return new Wheel(motor.port(), motorOf(motor), TyreSize.DEFAULT_MILLIMETRES, 1, hints.reversed().contains(motor.port()));
+    private static double plausible(double track) {
+        return isTrack(track) ? track : DEFAULT_TRACK;
+    }
+
+    /** Whether a robot can have this distance between its wheels in millimetres. */
+    static boolean isTrack(double millimetres) {
+        return millimetres >= MINIMUM_TRACK && millimetres <= MAXIMUM_TRACK;
+    }
+
+    private static Wheel guessed(HardwareHints hints, HardwareHints.Device motor, double diameter) {
+        return new Wheel(motor.port(), motorOf(motor), diameter, 1, hints.reversed().contains(motor.port()));
     }
 
     private static DriveFit declared(HardwareHints hints, List<HardwareHints.Wheel> wheels) {
         HardwareHints.Wheel left = wheels.get(0);
         HardwareHints.Wheel right = wheels.get(1);
         double track = left.trackWidth().orElse(distance(left.offset(), right.offset())) * TyreSize.millimetresPerUnit(left.diameter());
-        boolean plausible = track >= MINIMUM_TRACK && track <= MAXIMUM_TRACK;
-        return new DriveFit(declared(hints, left), declared(hints, right), plausible ? track : DEFAULT_TRACK);
+        return new DriveFit(declared(hints, left), declared(hints, right), plausible(track));
     }
 
     private static double distance(OptionalDouble left, OptionalDouble right) {

@@ -12,6 +12,12 @@ public final class Durations {
 
     private Durations() {}
 
+    /** The text of a duration, exact, in milliseconds if it is a whole number of them. */
+    public static String text(Duration duration) {
+        return duration.toNanos() % 1_000_000 == 0 ? duration.toMillis() + "ms"
+                : BigDecimal.valueOf(duration.toNanos(), 9).stripTrailingZeros().toPlainString() + "s";
+    }
+
     /** The duration, or empty if the text is not of this form. */
     public static Optional<Duration> parse(String text) {
         Matcher matcher = FORM.matcher(text.trim());

@@ -14,6 +14,7 @@ final class Gate {
     /** Written with the monitor held; the run also looks at it without. */
     private volatile long openUntilNanos;
     private boolean held;
+    private long heldAtNanos;
     private boolean ended;
     private Throwable failure;
 
@@ -26,6 +27,7 @@ final class Gate {
 
     private synchronized void await(long nowNanos) {
         held = true;
+        heldAtNanos = nowNanos;
         notifyAll();
         boolean interrupted = false;
         while (nowNanos >= openUntilNanos) {
@@ -58,6 +60,9 @@ final class Gate {
      */
     synchronized boolean advanceTo(long timeNanos) {
         openUntilNanos = Math.max(openUntilNanos, timeNanos);
+        if (held && openUntilNanos <= heldAtNanos) {
+            return true;
+        }
         held = false;
         notifyAll();
         boolean interrupted = false;

@@ -5,6 +5,7 @@ import brickless.hardware.BrickHardware;
 import brickless.kernel.LiveProcessor;
 import brickless.program.Program;
 import brickless.trace.Decimals;
+import brickless.trace.TraceListener;
 import java.io.PrintStream;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -34,7 +35,7 @@ final class LiveRun implements RobotSession.ProgramExit {
     LiveRun(SimulationSettings settings, Program program) {
         this.program = program;
         List<Crew.Member> crew = new Crew(settings, program).members();
-        stage = new Stage(settings, program, crew);
+        stage = new Stage(settings, program, crew, TraceListener.NONE);
         processor = new LiveProcessor(stage.stepNanos(), this::step);
         crew.forEach(member -> stage.enter(member, processor, true, this));
         stage.begin();

@@ -6,6 +6,7 @@ import brickless.trace.Sample;
 import brickless.trace.SignalsWriter;
 import brickless.trace.TraceEvent;
 import brickless.trace.TraceHeader;
+import brickless.trace.TraceListener;
 import brickless.trace.TraceWriter;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -25,15 +26,18 @@ final class Recorder {
     private final OutputStream console;
     private final PathDrawing path = new PathDrawing();
     private final Optional<ReportRecording> recording;
+    private final TraceListener listener;
     private boolean finished;
 
-    Recorder(Optional<RunFolder> folder, TraceHeader header) {
+    Recorder(Optional<RunFolder> folder, TraceHeader header, TraceListener listener) {
         this.folder = folder;
+        this.listener = listener;
         trace = new TraceWriter(folder.map(f -> f.open("trace.jsonl")).orElseGet(OutputStream::nullOutputStream), header);
         signals = folder.map(f -> new SignalsWriter(new OutputStreamWriter(f.open("signals.csv"), StandardCharsets.UTF_8)));
         recording = folder.map(f -> new ReportRecording());
         recording.ifPresent(r -> r.header(header));
         console = folder.map(f -> f.open("console.txt")).orElseGet(OutputStream::nullOutputStream);
+        listener.header(header);
     }
 
     void event(long timeNanos, String robot, TraceEvent event) {
@@ -42,6 +46,7 @@ final class Recorder {
         }
         trace.event(timeNanos, robot, event);
         recording.ifPresent(r -> r.event(timeNanos, robot, event));
+        listener.event(timeNanos, robot, event);
     }
 
     void sample(Sample sample) {
@@ -51,6 +56,7 @@ final class Recorder {
         trace.sample(sample);
         signals.ifPresent(s -> s.sample(sample));
         recording.ifPresent(r -> r.sample(sample));
+        listener.sample(sample);
         path.sample(sample);
     }
 

@@ -28,17 +28,17 @@ final class RobotFitter {
 
     private RobotFitter() {}
 
-    /** The robot for a program with these hints. */
+    /** The robot for a program with these hints, named after the file in which it is kept. */
     static RobotModel fit(HardwareHints hints) {
         String drawing = draw(hints);
         try {
-            return SvgRobotReader.readText("auto.svg", drawing);
+            return SvgRobotReader.readText(FinishedRun.robotFile(0, ""), drawing);
         } catch (DescriptionException e) {
             throw new IllegalStateException("the fitted robot must be readable:\n" + drawing, e);
         }
     }
 
-    /** The usual mount of a sensor that a program opens at a port, 0 to 3. */
+    /** The usual mount of a sensor that a program opens at a port, 0 to 3; of a driver of its own the usual one of its kind. */
     static RobotModel.SensorMount mount(String lejosClass, int port) {
         HardwareHints only = new HardwareHints(List.of(), List.of(new HardwareHints.Device("S" + (port + 1), lejosClass, "")), List.of());
         return fit(only).sensors().get(0);
@@ -52,6 +52,7 @@ final class RobotFitter {
             double track = Math.abs(robot.wheels().get(0).position().y() - robot.wheels().get(1).position().y());
             parts.add(String.format(Locale.ROOT, "track %.0f mm", track * 1000));
         }
+        robot.turrets().forEach(tool -> parts.add(tool.motor().attribute() + " motor on " + (char) ('A' + tool.port())));
         robot.sensors().forEach(sensor -> parts.add(sensor.type().attribute() + " on S" + (sensor.port() + 1) + direction(sensor)));
         return "robot fitted to the program: " + String.join(", ", parts);
     }
@@ -71,8 +72,14 @@ final class RobotFitter {
     private static String draw(HardwareHints hints) {
         ChassisDrawing chassis = ChassisDrawing.of(hints);
         List<String> elements = new ArrayList<>(chassis.elements());
+        elements.addAll(chassis.tools(hints));
         elements.addAll(new SensorLayout(hints.sensors(), chassis.front(), chassis.halfWidth()).elements());
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-180 -160 360 320\">\n  " + String.join("\n  ", elements) + "\n</svg>\n";
+    }
+
+    /** The sensor kind for a device of a program, if it is one that can be simulated. */
+    static Optional<SensorType> sensorOf(HardwareHints.Device device) {
+        return sensorOf(device.lejosClass()).or(() -> OwnDriver.sensorOf(device));
     }
 
     /** The sensor kind a leJOS class reads, if it is one that can be simulated. */

@@ -1,10 +1,12 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
+import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.ProgramLog;
 import brickless.kernel.Processor;
+import brickless.loading.hints.HardwareHints;
 import brickless.loading.hints.HintFinder;
 import brickless.physics.Arena;
 import brickless.physics.RobotBody;
@@ -12,6 +14,7 @@ import brickless.trace.RobotSample;
 import brickless.world.RobotModel;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** One robot of a run: its body, its devices and its brick, whatever processor its program runs on. */
 final class RobotSession {
@@ -25,6 +28,7 @@ final class RobotSession {
     private final RunTimeFitting fitting = new RunTimeFitting();
     private final PlugNotes plugs = new PlugNotes();
     private final ProgramExit end;
+    private Optional<String> guesses = Optional.empty();
     private boolean poweredOff;
 
     /**
@@ -43,9 +47,12 @@ final class RobotSession {
         this.end = end;
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
         panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
+        panel.keys().setAttended(settings.attended());
         devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
-            fitting.plugMotors(HintFinder.find(new ProgramClasses(member.program()).files()).motors(), devices);
+            HardwareHints hints = HintFinder.find(new ProgramClasses(member.program()).files());
+            fitting.plugMotors(hints.motors(), devices);
+            guesses = fitted ? OwnDriver.describe(hints) : Optional.empty();
         }
     }
 
@@ -123,6 +130,23 @@ final class RobotSession {
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());
     }
 
+    Frame.RobotFrame frame() {
+        List<Frame.Part> parts = new ArrayList<>();
+        for (int i = 0; i < model.turrets().size(); i++) {
+            RobotModel.Turret turret = model.turrets().get(i);
+            parts.add(new Frame.Part(turret.id(), (char) ('A' + turret.port()), body.turretAngleRadians(i)));
+        }
+        List<Frame.Beam> beams = new ArrayList<>();
+        List<Frame.Spot> spots = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            SensorPortDevice port = devices.sensor(i);
+            int number = i + 1;
+            port.beam().ifPresent(b -> beams.add(new Frame.Beam(number, port.connected(), b.from(), b.ends(), b.metres())));
+            port.spot().ifPresent(s -> spots.add(new Frame.Spot(number, port.connected(), s.at(), s.radiusMetres(), s.colour())));
+        }
+        return new Frame.RobotFrame(name, body.pose(), parts, beams, spots);
+    }
+
     /** Brings what was still under way into the record. */
     void finish() {
         panel.screen().settle();
@@ -134,9 +158,11 @@ final class RobotSession {
         if (fitted) {
             notes.add(RobotFitter.describe(model));
         }
+        guesses.ifPresent(notes::add);
         if (!fitting.plugged().isEmpty()) {
             notes.add("plugged in because the program uses it: " + String.join(", ", fitting.plugged()));
         }
+        notes.addAll(fitting.missing());
         notes.addAll(plugs.notes());
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");

@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.trace.ReportScene;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
@@ -52,6 +53,21 @@ public final class Run implements AutoCloseable {
     /** Simulated time since the start. */
     public Duration time() {
         return Duration.ofNanos(engine.nowNanos());
+    }
+
+    /** Length of a physics step: what is done to the run while it is held takes effect with the next one. */
+    public Duration step() {
+        return Duration.ofNanos(engine.stepNanos());
+    }
+
+    /** Where everything is now and what the sensors see: a picture of the present instant, which changes nothing. */
+    public Frame frame() {
+        return engine.frame();
+    }
+
+    /** What to draw the run with. */
+    public ReportScene scene() {
+        return engine.scene();
     }
 
     /** The (first) robot. */

@@ -3,6 +3,8 @@ package brickless.simulation;
 import brickless.kernel.Ensemble;
 import brickless.kernel.ProgramEnd;
 import brickless.program.Program;
+import brickless.trace.ReportScene;
+import brickless.trace.TraceListener;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -21,12 +23,12 @@ final class RunEngine {
     private boolean started;
     private volatile RunReport report;
 
-    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body) {
+    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener) {
         crew = new Crew(settings, program);
         boolean ready = false;
         try {
             List<Crew.Member> members = crew.members();
-            stage = new Stage(settings, program, members);
+            stage = new Stage(settings, program, members, listener);
             programs = members.stream().map(member -> new ProgramSession(settings, member, stage, body)).toList();
             stage.begin();
             ready = true;
@@ -39,6 +41,18 @@ final class RunEngine {
 
     long nowNanos() {
         return stage.nowNanos();
+    }
+
+    long stepNanos() {
+        return stage.stepNanos();
+    }
+
+    Frame frame() {
+        return stage.frame();
+    }
+
+    ReportScene scene() {
+        return stage.scene();
     }
 
     Journey journey() {
@@ -55,7 +69,11 @@ final class RunEngine {
 
     void add(Stimulus stimulus) {
         stage.check(stimulus);
-        gate.leave(() -> stage.add(stimulus));
+        if (started) {
+            gate.leave(() -> stage.add(stimulus));
+        } else {
+            stage.add(stimulus);
+        }
     }
 
     void stop() {

@@ -7,8 +7,12 @@ import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.loading.hints.HardwareHints;
 import brickless.world.MotorType;
+import brickless.world.SensorType;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 
 /** Plugs in what a program uses and its robot lacks: motors seen in its bytecode, and what it opens at run time. */
 final class RunTimeFitting implements MotorFitting, SensorFitting {
@@ -19,6 +23,7 @@ final class RunTimeFitting implements MotorFitting, SensorFitting {
     static final String READY_MADE = "NXTRegulatedMotor";
 
     private final List<String> plugged = new ArrayList<>();
+    private final Set<String> missing = new LinkedHashSet<>();
 
     /** Plugs in the motors that are used, before the program begins; {@code Motor.A} is only ever seen so. */
     void plugMotors(List<HardwareHints.Device> used, RobotDevices devices) {
@@ -39,16 +44,23 @@ final class RunTimeFitting implements MotorFitting, SensorFitting {
     }
 
     @Override public void expected(SensorPortDevice device, String lejosClass) {
-        boolean fits = RobotFitter.sensorOf(lejosClass).map(type -> device.mount() != null && device.mount()
-                .type() == type).orElse(true);
-        if (!fits) {
+        HardwareHints.Device used = new HardwareHints.Device("S" + (device.port() + 1), lejosClass, "");
+        Optional<SensorType> known = RobotFitter.sensorOf(lejosClass);
+        if (known.isPresent() ? device.type() != known.get() : device.type() == null && RobotFitter.sensorOf(used).isPresent()) {
             device.plug(RobotFitter.mount(lejosClass, device.port()));
-            plugged.add(device.connected() + " on S" + (device.port() + 1));
+            plugged.add(device.connected() + " on " + used.port());
+        } else if (device.type() == null) {
+            missing.add("nothing is plugged into " + used.port() + ": there is no simulated sensor for the program's " + lejosClass);
         }
     }
 
     /** What was plugged in, in order. */
     List<String> plugged() {
         return plugged;
+    }
+
+    /** A text for each sensor that could not be plugged in, because it is not simulated. */
+    Set<String> missing() {
+        return missing;
     }
 }

@@ -31,8 +31,8 @@ final class SensorLayout {
     SensorLayout(List<HardwareHints.Device> sensors, double front, double halfWidth) {
         this.front = front;
         this.halfWidth = halfWidth;
-        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass()).ifPresent(type -> count(type, Side.of(sensor.name()))));
-        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor.lejosClass())
+        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor).ifPresent(type -> count(type, Side.of(sensor.name()))));
+        sensors.forEach(sensor -> RobotFitter.sensorOf(sensor)
                 .ifPresent(type -> place(type, sensor.port(), Side.of(sensor.name()))));
     }
 

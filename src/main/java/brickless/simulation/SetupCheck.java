@@ -38,6 +38,14 @@ final class SetupCheck {
 
     /** Checks that what a stimulus names is there. */
     static void stimulus(Stimulus stimulus, Arena arena) {
+        if (stimulus instanceof Stimulus.On on) {
+            if (arena.robot(on.robot()).isEmpty()) {
+                throw new SetupException("stimulus '" + stimulus.text() + "': there is no robot named " + on.robot() + "; there are: "
+                        + arena.robots().stream().map(robot -> robot.name()).collect(Collectors.joining(", ")));
+            }
+            stimulus(on.what(), arena);
+            return;
+        }
         String target = stimulus instanceof Stimulus.Move move ? move.target()
                 : stimulus instanceof Stimulus.Remove remove ? remove.target() : null;
         if (target == null) {

@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.program.Program;
+import brickless.trace.TraceListener;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -60,7 +61,17 @@ public final class Simulation {
      * @throws SetupException if program, world and robot do not fit together
      */
     public Run start(Program program) {
-        return start(program, Optional.empty());
+        return start(program, Optional.empty(), TraceListener.NONE);
+    }
+
+    /**
+     * Starts a program and tells somebody what the trace tells; it stands still before its first instruction.
+     *
+     * @param listener called by the thread of this call, then by the run while it goes on
+     * @throws SetupException if program, world and robot do not fit together
+     */
+    public Run start(Program program, TraceListener listener) {
+        return start(program, Optional.empty(), listener);
     }
 
     /**
@@ -71,14 +82,14 @@ public final class Simulation {
      * @throws SetupException if program, world and robot do not fit together
      */
     public Run start(Class<?> program, ProgramBody body) {
-        return start(Program.onClassPath(program.getName()), Optional.of(body));
+        return start(Program.onClassPath(program.getName()), Optional.of(body), TraceListener.NONE);
     }
 
-    private Run start(Program program, Optional<ProgramBody> body) {
+    private Run start(Program program, Optional<ProgramBody> body, TraceListener listener) {
         int number = runs.incrementAndGet();
         Optional<Path> out = settings.out().map(folder -> number == 1 ? folder
                 : folder.resolveSibling(folder.getFileName() + "-" + number));
-        Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body));
+        Run run = new Run(new RunEngine(settings.toBuilder().out(out).build(), program, body, listener));
         started.accept(run);
         return run;
     }

@@ -22,14 +22,15 @@ import java.util.OptionalLong;
  * @param goal what the run is to reach
  * @param ideal whether noise, latency and slip are off
  * @param pressButtons whether keys the program waits for are pressed automatically
+ * @param attended whether somebody watches the brick: an exception then waits on its screen for a key
  * @param stimuli what happens to the robots, in order of time
  * @param backend how program threads are carried
  * @param console where the program's output is passed on as it is printed
  * @param out folder for the files of the run; empty: none are written
  */
 public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed, OptionalLong scheduleSeed,
-        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, List<Stimulus> stimuli, BackendChoice backend,
-        OutputStream console, Optional<Path> out) {
+        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, boolean attended, List<Stimulus> stimuli,
+        BackendChoice backend, OutputStream console, Optional<Path> out) {
     public SimulationSettings {
         stimuli = List.copyOf(stimuli);
     }
@@ -42,7 +43,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
     /** A builder that starts from these settings. */
     public Builder toBuilder() {
         Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit).goal(goal).ideal(ideal)
-                .pressButtons(pressButtons).stimuli(stimuli).backend(backend).console(console).out(out);
+                .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend).console(console).out(out);
         robot.ifPresent(builder::robot);
         return builder;
     }
@@ -58,6 +59,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
         private Optional<Goal> goal = Optional.empty();
         private boolean ideal;
         private boolean pressButtons = true;
+        private boolean attended;
         private List<Stimulus> stimuli = List.of();
         private BackendChoice backend = BackendChoice.AUTO;
         private OutputStream console = OutputStream.nullOutputStream();
@@ -115,6 +117,12 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
             return this;
         }
 
+        /** Whether somebody watches the brick and can press keys. */
+        public Builder attended(boolean value) {
+            attended = value;
+            return this;
+        }
+
         /** What happens to the robots. */
         public Builder stimuli(List<Stimulus> value) {
             stimuli = value;
@@ -141,8 +149,8 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
 
         /** The settings. */
         public SimulationSettings build() {
-            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons, stimuli, backend,
-                    console, out);
+            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons, attended, stimuli,
+                    backend, console, out);
         }
     }
 }

@@ -9,12 +9,17 @@ import brickless.physics.Entrant;
 import brickless.physics.ObstacleBody;
 import brickless.program.Program;
 import brickless.trace.BodySample;
+import brickless.trace.ReportScene;
 import brickless.trace.Sample;
 import brickless.trace.TraceEvent;
 import brickless.trace.TraceHeader;
+import brickless.trace.TraceListener;
 import brickless.world.Pose2;
+import brickless.world.RobotModel;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -43,7 +48,7 @@ final class Stage {
     private long steps;
 
     /** Builds the arena for a crew, whose members are to {@link #enter} it in their order. */
-    Stage(SimulationSettings settings, Program program, List<Crew.Member> crew) {
+    Stage(SimulationSettings settings, Program program, List<Crew.Member> crew, TraceListener listener) {
         this.settings = settings;
         this.program = program;
         arena = new Arena(settings.world(), crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(),
@@ -51,7 +56,7 @@ final class Stage {
         new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
         recorder = new Recorder(folder, new TraceHeader(program.mainClass(), settings.world().name(), crew.stream().map(m -> m.model().name()).toList(),
-                settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS));
+                settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS), listener);
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
         surroundings = new Surroundings(arena, FloorColour.of(settings.world()), settings.seed(), settings.ideal());
@@ -113,6 +118,22 @@ final class Stage {
     }
 
     private void sample() {
+        recorder.sample(new Sample(now, robots.stream().map(robot -> robot.sample(now)).toList(), bodies()));
+    }
+
+    /** Where everything is now. */
+    Frame frame() {
+        return new Frame(now, robots.stream().map(RobotSession::frame).toList(), bodies());
+    }
+
+    /** What to draw the run with. */
+    ReportScene scene() {
+        Map<String, RobotModel> models = new LinkedHashMap<>();
+        robots.forEach(robot -> models.put(robot.name(), robot.model()));
+        return new ReportScene(settings.world(), models);
+    }
+
+    private List<BodySample> bodies() {
         List<BodySample> bodies = new ArrayList<>();
         for (ObstacleBody obstacle : arena.obstacles()) {
             if (obstacle.movable() && obstacle.displaced()) {
@@ -122,7 +143,7 @@ final class Stage {
                 }
             }
         }
-        recorder.sample(new Sample(now, robots.stream().map(robot -> robot.sample(now)).toList(), bodies));
+        return bodies;
     }
 
     private static boolean noticeable(Pose2 displacement) {
@@ -141,7 +162,7 @@ final class Stage {
         String hash = recorder.finish();
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
-        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.model().name(), settings.seed(), outcome,
+        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.fitted() ? "auto" : first.model().name(), settings.seed(), outcome,
                 settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
                 Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));

@@ -9,14 +9,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.PriorityQueue;
 
-/** Does to the robots and the world what the stimuli say, at physics steps, in order of time. Used by the running step only. */
+/**
+ * Does to the robots and the world what the stimuli say, at physics steps, in order of time; at one time, what ends comes before what begins,
+ * however late it was added. Used by the running step only.
+ */
 final class Stimulator {
     /** How long a clap is heard. */
     private static final long CLAP_NANOS = 100_000_000;
 
-    private record Due(long atNanos, long order, boolean keyPress, Runnable action) {}
+    private record Due(long atNanos, boolean begins, long order, boolean keyPress, Runnable action) {}
 
-    private final PriorityQueue<Due> due = new PriorityQueue<>(Comparator.comparingLong(Due::atNanos).thenComparingLong(Due::order));
+    private final PriorityQueue<Due> due = new PriorityQueue<>(
+            Comparator.comparingLong(Due::atNanos).thenComparing(Due::begins).thenComparingLong(Due::order));
     private final Arena arena;
     private final Recorder recorder;
     private final List<Stimulus> initial;
@@ -36,15 +40,15 @@ final class Stimulator {
         initial.forEach(this::add);
     }
 
-    /** Whether somebody is still going to press a key. */
+    /** Whether somebody plans to press a key. A key that is held for an unknown time was not planned. */
     boolean keyPressesToCome() {
         return pressesToCome > 0;
     }
 
     void add(Stimulus stimulus) {
-        boolean press = stimulus instanceof Stimulus.Press;
+        boolean press = (stimulus instanceof Stimulus.On on ? on.what() : stimulus) instanceof Stimulus.Press;
         pressesToCome += press ? 1 : 0;
-        due.add(new Due(stimulus.atNanos(), order++, press, () -> begin(stimulus)));
+        due.add(new Due(stimulus.atNanos(), true, order++, press, () -> begin(stimulus)));
     }
 
     void step(long nowNanos) {
@@ -56,30 +60,55 @@ final class Stimulator {
     }
 
     private void later(long atNanos, Runnable action) {
-        due.add(new Due(atNanos, order++, false, action));
+        due.add(new Due(atNanos, false, order++, false, action));
     }
 
     private void begin(Stimulus stimulus) {
-        RobotSession first = sessions.get(0);
-        recorder.event(stimulus.atNanos(), first.name(), new TraceEvent.StimulusEvent(stimulus.text()));
+        List<RobotSession> concerned = stimulus instanceof Stimulus.On on
+                ? sessions.stream().filter(session -> session.name().equals(on.robot())).toList() : sessions;
+        RobotSession robot = concerned.get(0);
+        recorder.event(stimulus.atNanos(), robot.name(), new TraceEvent.StimulusEvent(stimulus.text()));
+        apply(stimulus instanceof Stimulus.On on ? on.what() : stimulus, robot, concerned);
+    }
+
+    /** Does it to a robot, or with the remote to all robots that see it. */
+    private void apply(Stimulus stimulus, RobotSession robot, List<RobotSession> seeing) {
         if (stimulus instanceof Stimulus.Press press) {
-            first.panel().keys().press(press.keyMask());
-            later(press.atNanos() + press.forNanos(), () -> first.panel().keys().release(press.keyMask()));
+            holdFor(new Stimulus.Key(press.keyMask()), press.atNanos() + press.forNanos(), robot, seeing);
         } else if (stimulus instanceof Stimulus.Push push) {
-            first.devices().sensor(push.port()).push(true);
-            later(push.atNanos() + push.forNanos(), () -> first.devices().sensor(push.port()).push(false));
+            holdFor(new Stimulus.TouchSensor(push.port()), push.atNanos() + push.forNanos(), robot, seeing);
         } else if (stimulus instanceof Stimulus.Remote remote) {
-            sessions.forEach(session -> session.devices().remote(remote.channel(), remote.code()));
-            later(remote.atNanos() + remote.forNanos(), () -> sessions.forEach(session -> session.devices().remote(remote.channel(), 0)));
+            holdFor(new Stimulus.RemoteButton(remote.channel(), remote.code()), remote.atNanos() + remote.forNanos(), robot, seeing);
+        } else if (stimulus instanceof Stimulus.Hold hold) {
+            hold(hold.what(), true, robot, seeing);
+        } else if (stimulus instanceof Stimulus.Release release) {
+            hold(release.what(), false, robot, seeing);
         } else if (stimulus instanceof Stimulus.Clap clap) {
             arena.sound().setDecibels(clap.decibels());
             later(clap.atNanos() + CLAP_NANOS, () -> arena.sound().setDecibels(0));
         } else if (stimulus instanceof Stimulus.Battery battery) {
-            first.devices().battery().setOpenVolts(battery.volts());
+            robot.devices().battery().setOpenVolts(battery.volts());
         } else if (stimulus instanceof Stimulus.Move move) {
             move(move);
         } else if (stimulus instanceof Stimulus.Remove remove) {
             arena.obstacle(remove.target()).ifPresent(arena::remove);
+        }
+    }
+
+    private void holdFor(Stimulus.Holdable what, long untilNanos, RobotSession robot, List<RobotSession> seeing) {
+        hold(what, true, robot, seeing);
+        later(untilNanos, () -> hold(what, false, robot, seeing));
+    }
+
+    private static void hold(Stimulus.Holdable what, boolean down, RobotSession robot, List<RobotSession> seeing) {
+        if (what instanceof Stimulus.Key key && down) {
+            robot.panel().keys().press(key.mask());
+        } else if (what instanceof Stimulus.Key key) {
+            robot.panel().keys().release(key.mask());
+        } else if (what instanceof Stimulus.TouchSensor touch) {
+            robot.devices().sensor(touch.port()).push(down);
+        } else if (what instanceof Stimulus.RemoteButton button) {
+            seeing.forEach(session -> session.devices().remote(button.channel(), down ? button.code() : 0));
         }
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,16 +16,18 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads stimuli files: one stimulus per line, {@code TIME WHAT …}, {@code #} begins a comment. */
+/** Reads stimuli files: one stimulus per line, {@code TIME WHAT … [on ROBOT]}, {@code #} begins a comment. */
 public final class StimuliReader {
     /** Keys by name, in the order of their bits. */
     static final Map<String, Integer> KEYS = new LinkedHashMap<>();
     private static final Map<String, Integer> REMOTE = new LinkedHashMap<>();
-    private static final Pattern DECIBELS = Pattern.compile("(\\d+(?:\\.\\d+)?)dB");
-    private static final Pattern VOLTS = Pattern.compile("(\\d+(?:\\.\\d+)?)V");
-    private static final Pattern PLACE = Pattern.compile("(-?\\d+(?:\\.\\d+)?),(-?\\d+(?:\\.\\d+)?)");
+    private static final Pattern DECIBELS = Pattern.compile("(\\d{1,4}(?:\\.\\d{1,6})?)dB");
+    private static final Pattern VOLTS = Pattern.compile("(\\d{1,4}(?:\\.\\d{1,6})?)V");
+    private static final String NUMBER = "-?\\d{1,6}(?:\\.\\d{1,6})?";
+    private static final Pattern PLACE = Pattern.compile("(" + NUMBER + "),(" + NUMBER + ")");
     private static final String ALLOWED = "allowed: press KEY DURATION, push S1..S4 DURATION, remote CHANNEL BUTTON DURATION, clap LEVELdB, "
-            + "move NAME X,Y DEGREES, remove NAME, battery VOLTSV";
+            + "move NAME X,Y DEGREES, remove NAME, battery VOLTSV, hold or release key KEY, push S1..S4 or remote CHANNEL BUTTON; "
+            + "'on ROBOT' behind it names another robot than the first";
 
     static {
         String[] keys = {"UP", "ENTER", "DOWN", "RIGHT", "LEFT", "ESCAPE"};
@@ -79,6 +82,14 @@ public final class StimuliReader {
         if (words.length < 2) {
             throw error("nothing to do at " + words[0] + "; " + ALLOWED);
         }
+        int on = words.length - 2;
+        if (on > 1 && words[on].equals("on")) {
+            return new Stimulus.On(words[on + 1], what(at, Arrays.copyOf(words, on)));
+        }
+        return what(at, words);
+    }
+
+    private Stimulus what(long at, String[] words) throws DescriptionException {
         String text = String.join(" ", List.of(words).subList(1, words.length));
         switch (words[1].toLowerCase(Locale.ROOT)) {
             case "press":
@@ -90,6 +101,10 @@ public final class StimuliReader {
             case "remote":
                 expect(words, 5);
                 return new Stimulus.Remote(at, channel(words[2]), oneOf(REMOTE, words[3], "button"), nanos(words[4]), text);
+            case "hold":
+                return new Stimulus.Hold(at, holdable(words), text);
+            case "release":
+                return new Stimulus.Release(at, holdable(words), text);
             case "clap":
                 expect(words, 3);
                 return new Stimulus.Clap(at, number(DECIBELS, words[2], "a level like 80dB"), text);
@@ -104,6 +119,23 @@ public final class StimuliReader {
                 return new Stimulus.Battery(at, number(VOLTS, words[2], "a voltage like 6.9V"), text);
             default:
                 throw error("unknown stimulus '" + words[1] + "'; " + ALLOWED);
+        }
+    }
+
+    private Stimulus.Holdable holdable(String[] words) throws DescriptionException {
+        String kind = words.length < 3 ? "" : words[2].toLowerCase(Locale.ROOT);
+        switch (kind) {
+            case "key":
+                expect(words, 4);
+                return new Stimulus.Key(oneOf(KEYS, words[3], "key"));
+            case "push":
+                expect(words, 4);
+                return new Stimulus.TouchSensor(sensorPort(words[3]));
+            case "remote":
+                expect(words, 5);
+                return new Stimulus.RemoteButton(channel(words[3]), oneOf(REMOTE, words[4], "button"));
+            default:
+                throw error("'" + words[1] + "' needs what to " + words[1] + "; " + ALLOWED);
         }
     }
 
@@ -149,7 +181,7 @@ public final class StimuliReader {
 
     private Pose2 pose(String place, String degrees) throws DescriptionException {
         Matcher matcher = PLACE.matcher(place);
-        if (!matcher.matches() || !degrees.matches("-?\\d+(\\.\\d+)?")) {
+        if (!matcher.matches() || !degrees.matches(NUMBER)) {
             throw error("'" + place + " " + degrees + "' is not X,Y DEGREES in millimetres and degrees");
         }
         return new Pose2(Double.parseDouble(matcher.group(1)) / 1000, Double.parseDouble(matcher.group(2)) / 1000,

@@ -30,4 +30,33 @@ public sealed interface Stimulus {
 
     /** The battery's no-load voltage changes. */
     record Battery(long atNanos, double volts, String text) implements Stimulus {}
+
+    /** Something is held until it is released: what a person does who does not know yet for how long. */
+    record Hold(long atNanos, Holdable what, String text) implements Stimulus {}
+
+    /** Something that was held is let go. */
+    record Release(long atNanos, Holdable what, String text) implements Stimulus {}
+
+    /** A stimulus that concerns the robot with this name instead of the first one (or, for a remote, all). */
+    record On(String robot, Stimulus what) implements Stimulus {
+        @Override public long atNanos() {
+            return what.atNanos();
+        }
+
+        @Override public String text() {
+            return what.text() + " on " + robot;
+        }
+    }
+
+    /** What can be held for a time that is not known when it begins. */
+    sealed interface Holdable {}
+
+    /** A key of the brick. */
+    record Key(int mask) implements Holdable {}
+
+    /** The touch sensor at a port (0 to 3). */
+    record TouchSensor(int port) implements Holdable {}
+
+    /** A button of the infrared remote: channel 1 to 4, LEGO code 1 to 11. */
+    record RemoteButton(int channel, int code) implements Holdable {}
 }

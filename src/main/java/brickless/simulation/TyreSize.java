@@ -7,7 +7,8 @@ final class TyreSize {
 
     /** Tyres of LEGO kits by outer diameter in millimetres. */
     private static final double[] TYRES = {24, 30.4, 43.2, 49.6, 56, 62.4, 68.8, 81.6, 94.2};
-    private static final double[] MILLIMETRES_PER_UNIT = {10, 1, 25.4, 1000};
+    /** Units that programs use: centimetres, millimetres, inches, metres. */
+    static final double[] MILLIMETRES_PER_UNIT = {10, 1, 25.4, 1000};
     private static final double LEAST_MILLIMETRES = 15;
     private static final double GREATEST_MILLIMETRES = 150;
     private static final double LEAST_GEAR = 0.05;

@@ -1,11 +1,8 @@
 package brickless.trace;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
@@ -19,11 +16,11 @@ import java.util.zip.DeflaterOutputStream;
  * policy lets only its own script run and loads nothing from anywhere.
  */
 public final class HtmlReport {
-    private static final String FOLDER = "/brickless/report/";
+    private static final String FOLDER = "report/";
     /** Styles in the order they are joined. */
     private static final List<String> STYLES = List.of("theme.css", "layout.css", "brick.css", "tracks.css");
     /** Parts of the page in the order they are joined: those behind may use those before. */
-    private static final List<String> SCRIPTS = List.of("inflate.js", "recording.js", "screen.js", "behaviours.js", "player.js", "dom.js", "drawing.js", "arena.js",
+    private static final List<String> SCRIPTS = List.of("inflate.js", "recording.js", "screen.js", "behaviours.js", "player.js", "dom.js", "widgets.js", "drawing.js", "arena.js",
             "brick.js", "tracks.js", "plots.js", "timeline.js", "listing.js", "events.js", "figures.js", "transport.js", "main.js");
 
     private HtmlReport() {}
@@ -37,14 +34,14 @@ public final class HtmlReport {
      * @param summary the JSON object of the run's figures, if there is one
      */
     public static void write(OutputStream out, ReportRecording recording, ReportScene scene, Optional<String> summary) throws IOException {
-        String script = "'use strict';\n(() => {\n" + joined(SCRIPTS) + "})();\n";
-        String page = resource("page.html").replace("%TITLE%", escaped(recording.main()))
-                .replace("%SCRIPT_HASH%", "sha256-" + Base64.getEncoder().encodeToString(sha256(script)));
+        String script = PageParts.script(SCRIPTS.stream().map(FOLDER::concat).toList());
+        String page = PageParts.text(FOLDER + "page.html").replace("%TITLE%", PageParts.escaped(recording.main()))
+                .replace("%SCRIPT_HASH%", PageParts.hash(script));
         int style = page.indexOf("%STYLE%");
         int data = page.indexOf("%DATA%");
         int code = page.indexOf("%SCRIPT%");
         text(out, page.substring(0, style));
-        text(out, joined(STYLES));
+        text(out, PageParts.joined(STYLES.stream().map(FOLDER::concat).toList()));
         text(out, page.substring(style + "%STYLE%".length(), data));
         data(out, recording, scene, summary);
         text(out, page.substring(data + "%DATA%".length(), code));
@@ -63,35 +60,6 @@ public final class HtmlReport {
         } finally {
             packer.end();
         }
-    }
-
-    private static String joined(List<String> names) throws IOException {
-        StringBuilder text = new StringBuilder();
-        for (String name : names) {
-            text.append(resource(name)).append('\n');
-        }
-        return text.toString();
-    }
-
-    private static String resource(String name) throws IOException {
-        try (InputStream in = HtmlReport.class.getResourceAsStream(FOLDER + name)) {
-            if (in == null) {
-                throw new IllegalStateException(FOLDER + name + " is missing from the brickless jar");
-            }
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        }
-    }
-
-    private static byte[] sha256(String text) {
-        try {
-            return MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every JDK has SHA-256", e);
-        }
-    }
-
-    private static String escaped(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
     }
 
     private static void text(OutputStream out, String text) throws IOException {

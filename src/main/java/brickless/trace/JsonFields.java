@@ -89,6 +89,11 @@ public final class JsonFields {
         return values.get(name) != null;
     }
 
+    /** Whether the field is a string. */
+    public boolean isText(String name) {
+        return values.get(name) instanceof String;
+    }
+
     /** A string. */
     public String text(String name) {
         return of(name, String.class, "a string", values.get(name));

@@ -28,6 +28,11 @@ public final class JsonText {
         return text.toString();
     }
 
+    /** Text of an array of two numbers with a fixed number of decimals. */
+    public static String pair(double first, double second, int places) {
+        return "[" + Decimals.text(first, places) + "," + Decimals.text(second, places) + "]";
+    }
+
     /** Writes one object whose fields {@code fields} writes, in UTF-8; the stream is left open. */
     static void object(OutputStream out, Consumer<JsonLine> fields) throws IOException {
         try (JsonGenerator json = FACTORY.createGenerator(out, JsonEncoding.UTF8)) {

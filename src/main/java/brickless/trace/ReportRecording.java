@@ -45,7 +45,8 @@ public final class ReportRecording implements TraceListener {
         return header.main();
     }
 
-    void write(JsonLine line) {
+    /** Writes the fields of the recording: header, times, robots, bodies, events. */
+    public void write(JsonLine line) {
         line.object("header", () -> header.write(line));
         line.raw("times", times.json());
         line.objects("robots", robots.values(), (robot, fields) -> robot.write(fields));

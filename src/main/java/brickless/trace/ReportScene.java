@@ -20,7 +20,8 @@ public record ReportScene(World world, Map<String, RobotModel> robots) {
         robots = new LinkedHashMap<>(robots);
     }
 
-    void write(JsonLine line) {
+    /** Writes the fields of the scene. */
+    public void write(JsonLine line) {
         line.text("svg", world.svg());
         line.raw("bounds", "[" + millimetres(world.minX()) + "," + millimetres(world.minY()) + "," + millimetres(world.width()) + ","
                 + millimetres(world.height()) + "]");

@@ -23,7 +23,8 @@ public record TraceHeader(String main, String world, List<String> robots, long s
         robots = List.copyOf(robots);
     }
 
-    void write(JsonLine line) {
+    /** Writes the fields of the header. */
+    public void write(JsonLine line) {
         line.integer("version", VERSION).text("main", main).text("world", world).texts("robots", robots).integer("seed", seed)
                 .integer("scheduleSeed", scheduleSeed).flag("ideal", ideal).seconds("step", stepNanos).seconds("sample", sampleNanos);
     }

@@ -34,10 +34,7 @@ public final class TraceWriter implements AutoCloseable {
 
     /** Writes an event of one robot. */
     public void event(long timeNanos, String robot, TraceEvent event) {
-        append(JsonText.object(line -> {
-            line.seconds("t", timeNanos).text("type", event.type()).text("robot", robot);
-            event.write(line);
-        }));
+        append(TraceLine.event(timeNanos, robot, event));
     }
 
     /** Writes a sample. */

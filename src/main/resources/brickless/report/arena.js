@@ -40,8 +40,12 @@ class DrivenPath {
   }
 }
 
+function robotColour(robot, i) {
+  return NAMED_COLOURS[robot.name] || ROBOT_COLOURS[i % ROBOT_COLOURS.length];
+}
+
 class Arena {
-  constructor(host, recording) {
+  constructor(host, recording, pathOf = (root, robot, colour) => new DrivenPath(root, robot.track, colour)) {
     this.recording = recording;
     const [x, y, width, height] = recording.scene.bounds;
     this.stage = html('div', {class: 'stage', role: 'img'});
@@ -52,15 +56,14 @@ class Arena {
     const overlay = new Layer(this.stage, recording.scene.bounds, 'overlay');
     overlay.root.style.pointerEvents = 'none';
     this.zones(overlay.root);
-    this.paths = recording.robots.map((robot, i) => new DrivenPath(overlay.root, robot.track,
-      NAMED_COLOURS[robot.name] || ROBOT_COLOURS[i % ROBOT_COLOURS.length]));
+    this.paths = recording.robots.map((robot, i) => pathOf(overlay.root, robot, robotColour(robot, i)));
     this.drawings = recording.robots.map((robot) => new RobotDrawing(this.stage, recording.scene.bounds, robot));
-    this.removals = recording.events.filter((event) => event.type === 'stimulus' && event.do.startsWith('remove '))
+    this.removals = recording.log.ofType('stimulus').filter((event) => event.do.startsWith('remove '))
       .map((event) => ({time: event.t, id: event.do.slice('remove '.length)}));
     this.flashes = new Layer(this.stage, recording.scene.bounds, 'flashes');
     this.flash = svg('circle', {r: Math.max(width, height) / 40, fill: 'none', stroke: '#d92d20', 'stroke-width': 6, visibility: 'hidden'});
     this.flashes.root.append(this.flash);
-    this.hits = recording.events.filter((event) => event.type === 'collision');
+    this.hits = recording.log.ofType('collision');
   }
 
   zones(root) {
@@ -111,7 +114,7 @@ class Arena {
     const hit = this.hits[lastNotAfter(this.hits, time + 1e-9, (event) => event.t)];
     const age = hit ? time - hit.t : 1;
     const robot = hit && this.recording.robots.find((one) => one.name === hit.robot);
-    const pose = robot && robot.track.at(hit.t);
+    const pose = robot && this.poseOf(robot, hit.t);
     const visible = age < 0.6 && pose;
     this.flash.setAttribute('visibility', visible ? 'visible' : 'hidden');
     if (visible) {
@@ -119,9 +122,13 @@ class Arena {
     }
   }
 
+  poseOf(robot, time) {
+    return robot.track.at(time);
+  }
+
   describe(time) {
     const words = this.recording.robots.map((robot) => {
-      const pose = robot.track.at(time);
+      const pose = this.poseOf(robot, time);
       const name = this.recording.robots.length > 1 ? `${robot.name}: ` : '';
       return pose ? `${name}${number(pose.x)} mm, ${number(pose.y)} mm, ${number(((pose.heading % 360) + 540) % 360 - 180)}°` : '';
     });

@@ -6,7 +6,7 @@ const SLOW_SECONDS = 1;
 class Arbitration {
   /** Every arbitrator that a robot's program made. */
   static all(robot, end) {
-    return robot.events.filter((event) => event.type === 'arbitrator').map((event) => new Arbitration(robot, event, end));
+    return robot.log.ofType('arbitrator').map((event) => new Arbitration(robot, event, end));
   }
 
   constructor(robot, created, end) {
@@ -16,41 +16,43 @@ class Arbitration {
     this.active = [];
     this.wanted = [];
     this.givings = [];
-    this.read(robot.events.filter((event) => event.arbitrator === this.number && event.type !== 'arbitrator'), end);
+    this.open = {active: null, wanted: null, giving: null};
+    robot.log.all.filter((event) => event.arbitrator === this.number && event.type !== 'arbitrator').forEach((event) => this.add(event));
+    this.extend(end);
   }
 
-  read(events, end) {
-    let active = null;
-    let wanted = null;
-    let giving = null;
-    const finish = (span, time, list) => {
+  /** Takes the next event of this arbitrator. */
+  add(event) {
+    const span = event.behaviour < 0 ? null : {behaviour: event.behaviour, from: event.t, to: event.t, endless: true};
+    if (event.type === 'wants') {
+      this.turn('wanted', this.wanted, span, event.t);
+    } else if (event.type === 'active') {
+      this.turn('active', this.active, span, event.t);
+      this.turn('giving', this.givings, null, event.t);
+    } else if (event.type === 'suppressed') {
+      this.turn('giving', this.givings, span && {...span, by: this.open.wanted ? this.open.wanted.behaviour : -1}, event.t);
+    }
+  }
+
+  /** Ends the span that was open and begins the next. */
+  turn(kind, list, span, time) {
+    const last = this.open[kind];
+    if (last) {
+      Object.assign(last, {to: time, endless: false, slow: kind === 'giving' && time - last.from > SLOW_SECONDS});
+    }
+    this.open[kind] = span;
+    if (span) {
+      list.push(span);
+    }
+  }
+
+  /** Lets what is still going on last until a time. */
+  extend(time) {
+    for (const [kind, span] of Object.entries(this.open)) {
       if (span) {
-        span.to = time;
-        list.push(span);
-      }
-    };
-    for (const event of events) {
-      const span = event.behaviour < 0 ? null : {behaviour: event.behaviour, from: event.t, to: end};
-      if (event.type === 'wants') {
-        finish(wanted, event.t, this.wanted);
-        wanted = span;
-      } else if (event.type === 'active') {
-        finish(active, event.t, this.active);
-        finish(giving, event.t, this.givings);
-        active = span;
-        giving = null;
-      } else if (event.type === 'suppressed') {
-        finish(giving, event.t, this.givings);
-        giving = span && {...span, by: wanted ? wanted.behaviour : -1};
+        Object.assign(span, {to: Math.max(span.from, time), slow: kind === 'giving' && time - span.from > SLOW_SECONDS});
       }
     }
-    const open = (span, list) => span && list.push(Object.assign(span, {to: end, endless: true}));
-    open(wanted, this.wanted);
-    open(active, this.active);
-    open(giving, this.givings);
-    this.givings.forEach((one) => {
-      one.slow = one.to - one.from > SLOW_SECONDS;
-    });
   }
 
   static spanAt(spans, time) {

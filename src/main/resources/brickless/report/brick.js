@@ -22,15 +22,15 @@ class Brick {
   constructor(host, recording, robot) {
     this.recording = recording;
     this.robot = robot;
-    this.leds = robot.events.filter((event) => event.type === 'led');
-    this.sounds = robot.events.filter((event) => event.type === 'sound');
-    this.keys = robot.events.filter((event) => event.type === 'key');
+    this.leds = robot.log.ofType('led');
+    this.sounds = robot.log.ofType('sound');
+    this.keys = robot.log.ofType('key');
     this.canvas = html('canvas', {width: SCREEN_WIDTH, height: SCREEN_HEIGHT, class: 'lcd', role: 'img', 'aria-label': 'Screen of the brick'});
     this.changes = -1;
     this.motorCells = this.ports(['A', 'B', 'C', 'D'], (port) => (robot.motors.some((motor) => motor.port === port) ? 'motor' : ''));
     this.sensorCells = this.ports(['1', '2', '3', '4'], (port) => this.sensorsAt(port).map((sensor) => sensorName(sensor.kind))[0] || '');
-    this.keyNodes = Object.entries(KEYS).map(([key, name]) => html('span', {class: `key key-${name}`, 'data-key': key, title: key}));
-    this.pad = html('div', {class: 'pad', 'data-led': 'off', role: 'img'}, ...this.keyNodes.filter((node) => node.dataset.key !== 'ESCAPE'));
+    this.keyNodes = Object.entries(KEYS).map(([key, name]) => this.key(key, `key key-${name}`));
+    this.pad = html('div', {class: 'pad', 'data-led': 'off', role: this.padRole()}, ...this.keyNodes.filter((node) => node.dataset.key !== 'ESCAPE'));
     this.sound = html('p', {class: 'brick-note', 'data-part': 'sound'});
     this.pressed = html('p', {class: 'brick-note', 'data-part': 'keys'});
     host.append(html('div', {class: 'brick-face'},
@@ -47,9 +47,22 @@ class Brick {
     return names.map((port) => {
       const value = html('span', {class: 'port-value'}, '–');
       const kind = what(port);
-      return {port, value, node: html('div', {class: kind ? 'port' : 'port empty'},
-        html('span', {class: `port-name port-${port}`}, port), html('span', {class: 'port-kind'}, kind || 'empty'), value)};
+      const parts = [html('span', {class: `port-name port-${port}`}, port), html('span', {class: 'port-kind'}, kind || 'empty'), value];
+      return {port, value, ...this.cell(port, kind, parts)};
     });
+  }
+
+  /** What a port is shown with. */
+  cell(port, kind, parts) {
+    return {node: html('div', {class: kind ? 'port' : 'port empty'}, ...parts)};
+  }
+
+  key(key, className) {
+    return html('span', {class: className, 'data-key': key, title: key});
+  }
+
+  padRole() {
+    return 'img';
   }
 
   sensorsAt(port) {

@@ -181,11 +181,18 @@ class RobotDrawing {
   }
 
   show(pose, sample) {
-    this.group.setAttribute('transform', `translate(${pose.x.toFixed(2)} ${pose.y.toFixed(2)}) rotate(${pose.heading.toFixed(3)})`);
+    this.place(pose);
     for (const turret of this.turrets) {
       const tacho = turret.motor ? turret.motor.tacho[sample] : NaN;
-      const angle = Number.isFinite(tacho) ? tacho * turret.ratio : 0;
-      turret.node.setAttribute('transform', `rotate(${angle} ${turret.pivot.join(' ')}) ${turret.own}`);
+      this.turn(turret, Number.isFinite(tacho) ? tacho * turret.ratio : 0);
     }
+  }
+
+  place(pose) {
+    this.group.setAttribute('transform', `translate(${pose.x.toFixed(2)} ${pose.y.toFixed(2)}) rotate(${pose.heading.toFixed(3)})`);
+  }
+
+  turn(turret, degrees) {
+    turret.node.setAttribute('transform', `rotate(${degrees} ${turret.pivot.join(' ')}) ${turret.own}`);
   }
 }

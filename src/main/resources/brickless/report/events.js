@@ -28,16 +28,25 @@ const EVENT_WORDS = {
   sound: (e) => ['brick', e.name === 'silence' ? 'Silence' : e.hertz > 0 ? `Tone ${e.hertz} Hz for ${period(e.millis / 1000)}` : `Sound ${e.name}`],
 };
 
+/** An event in words with its kind; null if it is none for people. */
+function describedEvent(event, several) {
+  const words = EVENT_WORDS[event.type];
+  if (!words) {
+    return null;
+  }
+  const [kind, text] = words(event);
+  return {t: event.t, kind, text: several && event.robot ? `${event.robot}: ${text}` : text};
+}
+
 /** The events of a run in words, in order of time. */
 function describedEvents(recording) {
   const several = recording.robots.length > 1;
   const entries = [];
   const add = (t, robot, kind, text) => entries.push({t, kind, text: several && robot ? `${robot}: ${text}` : text});
   for (const event of recording.events) {
-    const words = EVENT_WORDS[event.type];
-    if (words) {
-      const [kind, text] = words(event);
-      add(event.t, event.robot, kind, text);
+    const entry = describedEvent(event, several);
+    if (entry) {
+      entries.push(entry);
     }
   }
   for (const arbitration of recording.arbitrations) {
@@ -70,7 +79,7 @@ class Lists {
     this.console = new Listing('Console', (entry) => [html('span', {class: 'row-text mono'}, entry.text)], pick, 'The program printed nothing.');
     this.console.node.classList.add('console');
     const chips = html('div', {class: 'chips', role: 'group', 'aria-label': 'Kinds of events shown'}, ...this.chips());
-    this.tabs(host, [['Events', html('div', {class: 'tab-body'}, chips, this.events.node), this.all.length],
+    tabs(host, [['Events', html('div', {class: 'tab-body'}, chips, this.events.node), this.all.length],
       ['Console', html('div', {class: 'tab-body'}, this.console.node), lines.length]]);
     this.filter();
     this.console.setEntries(lines.map((event) => ({t: event.t, kind: event.error ? 'error' : '', text: event.text})));
@@ -90,28 +99,6 @@ class Lists {
   filter() {
     this.entries = this.all.filter((entry) => this.shown.has(entry.kind));
     this.events.setEntries(this.entries);
-  }
-
-  tabs(host, tabs) {
-    const list = html('div', {class: 'tabs', role: 'tablist'});
-    const select = (chosen) => tabs.forEach(([, body], i) => {
-      body.hidden = i !== chosen;
-      list.children[i].setAttribute('aria-selected', String(i === chosen));
-      list.children[i].tabIndex = i === chosen ? 0 : -1;
-    });
-    tabs.forEach(([title, body, count], i) => {
-      body.id = `tab-${title.toLowerCase()}`;
-      body.setAttribute('role', 'tabpanel');
-      list.append(html('button', {type: 'button', role: 'tab', 'aria-controls': body.id, on: {click: () => select(i), keydown: (event) => {
-        if (event.key === 'ArrowLeft' || event.key === 'ArrowRight') {
-          event.stopPropagation();
-          select(1 - i);
-          list.children[1 - i].focus();
-        }
-      }}}, title, html('span', {class: 'count'}, String(count))));
-    });
-    host.append(list, ...tabs.map(([, body]) => body));
-    select(0);
   }
 
   /** Moves to the next (1) or previous (−1) event. */

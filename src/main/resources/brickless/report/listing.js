@@ -25,6 +25,18 @@ class Listing {
     this.draw(true);
   }
 
+  /** Takes further entries and, if the last row was in view, goes on showing the last. */
+  append(entries) {
+    const atEnd = this.node.scrollTop + this.node.clientHeight >= this.spacer.offsetHeight - ROW_HEIGHT / 2;
+    this.entries.push(...entries);
+    this.current = this.entries.length - 1;
+    this.spacer.style.height = `${Math.max(1, this.entries.length) * ROW_HEIGHT}px`;
+    if (atEnd) {
+      this.node.scrollTop = this.spacer.offsetHeight;
+    }
+    this.draw(true);
+  }
+
   /** Marks the entry that counts at a time and, if asked, brings it into view. */
   show(time, follow) {
     const index = lastNotAfter(this.entries, time + 1e-9, (entry) => entry.t);

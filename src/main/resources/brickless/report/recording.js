@@ -73,6 +73,28 @@ class Track {
   }
 }
 
+/** Events in order of time, also by type; the lists that it gives grow with it. */
+class EventLog {
+  constructor(events) {
+    this.all = events;
+    this.types = new Map();
+  }
+
+  ofType(type) {
+    if (!this.types.has(type)) {
+      this.types.set(type, this.all.filter((event) => event.type === type));
+    }
+    return this.types.get(type);
+  }
+
+  add(event) {
+    this.all.push(event);
+    if (this.types.has(event.type)) {
+      this.types.get(event.type).push(event);
+    }
+  }
+}
+
 /** One robot: its track, its signals, and what happened to it. */
 class RecordedRobot {
   constructor(data, times, scene, events) {
@@ -94,8 +116,8 @@ class RecordedRobot {
       kind: sensor.kind,
       values: sensor.values.map(column),
     }));
-    this.events = events;
-    this.screen = new ScreenHistory(events.filter((event) => event.type === 'screen'));
+    this.log = new EventLog(events);
+    this.screen = new ScreenHistory(this.log.ofType('screen'));
   }
 }
 
@@ -108,12 +130,17 @@ class Recording {
     const size = data.times.from + data.times.deltas.length;
     this.times = decodeColumn(data.times, size);
     this.events = data.events.map((event, order) => ({...event, order})).sort((a, b) => a.t - b.t || a.order - b.order);
+    this.log = new EventLog(this.events);
     const last = this.events.length > 0 ? this.events[this.events.length - 1].t : 0;
     this.duration = Math.max(size > 0 ? this.times[size - 1] : 0, last, 1e-3);
-    this.robots = data.robots.map((robot) => new RecordedRobot(robot, this.times,
-      data.scene.robots.find((one) => one.name === robot.name), this.events.filter((event) => event.robot === robot.name)));
+    this.robots = data.robots.map((robot) => this.makeRobot(robot, data.scene.robots.find((one) => one.name === robot.name),
+      this.events.filter((event) => event.robot === robot.name)));
     this.bodies = data.bodies.map((body) => ({id: body.id, track: new Track(body, this.times)}));
     this.arbitrations = this.robots.flatMap((robot) => Arbitration.all(robot, this.duration));
+  }
+
+  makeRobot(data, scene, events) {
+    return new RecordedRobot(data, this.times, scene, events);
   }
 
   /** Index of the sample that counts at a time. */

@@ -5,6 +5,16 @@ const SCREEN_HEIGHT = 128;
 const SCREEN_ROW_BYTES = 23;
 const SCREEN_KEYFRAME = 64;
 
+/** Puts the rows that changed into a picture. */
+function applyRows(picture, event) {
+  event.rows.forEach((row, i) => {
+    const hex = event.pixels[i];
+    for (let byte = 0; byte < SCREEN_ROW_BYTES; byte++) {
+      picture[row * SCREEN_ROW_BYTES + byte] = parseInt(hex.substr(byte * 2, 2), 16);
+    }
+  });
+}
+
 /** Rebuilds the picture at any time from the rows that changed; a whole picture is kept now and then so that going back is quick. */
 class ScreenHistory {
   constructor(events) {
@@ -27,21 +37,12 @@ class ScreenHistory {
       this.applied = frame * SCREEN_KEYFRAME;
     }
     while (this.applied < changes) {
-      this.apply(this.events[this.applied++]);
+      applyRows(this.picture, this.events[this.applied++]);
       if (this.applied % SCREEN_KEYFRAME === 0) {
         this.keyframes[this.applied / SCREEN_KEYFRAME] = this.picture.slice();
       }
     }
     return this.picture;
-  }
-
-  apply(event) {
-    event.rows.forEach((row, i) => {
-      const hex = event.pixels[i];
-      for (let byte = 0; byte < SCREEN_ROW_BYTES; byte++) {
-        this.picture[row * SCREEN_ROW_BYTES + byte] = parseInt(hex.substr(byte * 2, 2), 16);
-      }
-    });
   }
 }
 

@@ -31,22 +31,30 @@ class Timeline {
 
   lane(arbitration, behaviour) {
     const name = arbitration.names[behaviour];
-    const totals = arbitration.totals(behaviour);
     const colour = `--behaviour-${behaviour % 8}`;
     const swatch = html('span', {class: 'swatch'});
     swatch.style.background = `var(${colour})`;
-    const label = html('div', {class: 'track-label one-line', title: arbitration.names[behaviour]}, swatch, html('strong', {}, name));
-    const readout = html('div', {class: totals.slow ? 'track-readout slow' : 'track-readout'},
-      html('div', {class: 'reading'}, html('span', {class: 'value'}, totals.times > 0 ? `${totals.times} × · ${period(totals.seconds)}` : 'never')),
-      totals.slowest > 0 ? html('div', {class: 'reading sub'}, `gave way ≤ ${period(totals.slowest)}`) : null);
-    const row = new TrackRow(LANE_HEIGHT, label, readout,
-      `${name}: in control ${totals.times} times for ${period(totals.seconds)} altogether${totals.slow ? ', ignored suppress' : ''}`);
+    const label = html('div', {class: 'track-label one-line', title: name}, swatch, html('strong', {}, name));
+    const readout = html('div', {class: 'track-readout'});
+    const row = new TrackRow(LANE_HEIGHT, label, readout, name);
     row.node.classList.add('lane');
     row.node.dataset.behaviour = name;
     this.group.add(row, (context, width, height) => this.draw(arbitration, behaviour, colour, context, width, height));
-    const lane = {arbitration, behaviour, row};
+    const lane = {arbitration, behaviour, row, readout};
     this.lanes.push(lane);
+    this.total(lane);
     return lane;
+  }
+
+  /** Figures of a lane. */
+  total({arbitration, behaviour, row, readout}) {
+    const totals = arbitration.totals(behaviour);
+    readout.classList.toggle('slow', totals.slow);
+    readout.replaceChildren(
+      html('div', {class: 'reading'}, html('span', {class: 'value'}, totals.times > 0 ? `${totals.times} × · ${period(totals.seconds)}` : 'never')),
+      ...(totals.slowest > 0 ? [html('div', {class: 'reading sub'}, `gave way ≤ ${period(totals.slowest)}`)] : []));
+    row.canvas.setAttribute('aria-label', `${arbitration.names[behaviour]}: in control ${totals.times} times for ${period(totals.seconds)} altogether`
+      + `${totals.slow ? ', ignored suppress' : ''}`);
   }
 
   draw(arbitration, behaviour, colour, context, width, height) {

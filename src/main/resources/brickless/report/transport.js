@@ -1,8 +1,6 @@
 // Play, pause, scrub, speed: buttons, slider and keys.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
-const PLAY_ICON = 'M5 3.2v13.6a.6.6 0 0 0 .9.5l11-6.8a.6.6 0 0 0 0-1L5.9 2.7a.6.6 0 0 0-.9.5z';
-const PAUSE_ICON = 'M5 3h3.4v14H5zM11.6 3H15v14h-3.4z';
 const KEY_HELP = [['Space', 'play or pause'], ['← →', 'one second back or on'], ['Shift ← →', 'one sample (50 ms) back or on'], ['Home End', 'beginning or end'],
   ['N P', 'next or previous event'], ['[ ]', 'slower or faster'], ['+ − 0', 'zoom in, out, all'], ['?', 'these keys']];
 
@@ -13,7 +11,7 @@ class Transport {
     this.lists = lists;
     this.entries = entries;
     this.playIcon = icon(PLAY_ICON);
-    this.play = this.button('Play', this.playIcon, () => player.toggle(), 'play');
+    this.play = iconButton('Play', this.playIcon, () => player.toggle(), 'play');
     this.now = html('span', {});
     this.time = html('output', {class: 'time', 'aria-label': 'Time of the replay'}, this.now,
       html('span', {class: 'total'}, ` / ${clock(player.duration, 0)}`));
@@ -22,33 +20,22 @@ class Transport {
       input: () => player.seek(Number(this.slider.value))}});
     this.speed = html('select', {class: 'speed', 'aria-label': 'Speed', on: {change: () => player.setSpeed(Number(this.speed.value))}},
       ...SPEEDS.map((speed) => html('option', {value: speed, selected: speed === 1}, `${speed} ×`)));
-    this.help = this.helpDialog();
+    this.help = helpDialog(KEY_HELP);
     host.append(
       html('div', {class: 'buttons'},
-        this.button('Previous event', icon('M4 4v12M15.5 4.500v11L7 10z'), () => lists.step(-1), 'flat'), this.play,
-        this.button('Next event', icon('M16 4v12M4.5 4.500v11L13 10z'), () => lists.step(1), 'flat'), this.time),
+        iconButton('Previous event', icon('M4 4v12M15.5 4.500v11L7 10z'), () => lists.step(-1), 'flat'), this.play,
+        iconButton('Next event', icon('M16 4v12M4.5 4.500v11L13 10z'), () => lists.step(1), 'flat'), this.time),
       html('div', {class: 'scrubber'}, this.slider, this.ticks),
       html('div', {class: 'buttons end'}, this.speed,
-        this.button('Zoom out', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6'), () => window.zoom(2, player.time), 'flat'),
-        this.button('Zoom in', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6M9 6v6'), () => window.zoom(0.5, player.time), 'flat'),
-        this.button('Keys', icon('M7.5 7.500a2.5 2.5 0 1 1 3.6 2.300c-.8.4-1.1.900-1.1 1.700v.5M10 15v.01'), () => this.help.showModal(), 'flat keys')),
+        iconButton('Zoom out', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6'), () => window.zoom(2, player.time), 'flat'),
+        iconButton('Zoom in', icon('M9 3a6 6 0 1 0 0 12A6 6 0 0 0 9 3zM13.5 13.5 18 18M6 9h6M9 6v6'), () => window.zoom(0.5, player.time), 'flat'),
+        iconButton('Keys', icon('M7.5 7.500a2.5 2.5 0 1 1 3.6 2.300c-.8.4-1.1.900-1.1 1.700v.5M10 15v.01'), () => this.help.showModal(), 'flat keys')),
       this.help);
     document.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => this.drawTicks()).observe(this.ticks.parentNode);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.drawTicks());
     player.onState(() => this.state());
     player.add(this);
-  }
-
-  button(name, content, action, className) {
-    return html('button', {type: 'button', class: `icon-button ${className}`, 'aria-label': name, title: name, on: {click: action}}, content);
-  }
-
-  helpDialog() {
-    const dialog = html('dialog', {class: 'help', 'aria-label': 'Keys', on: {click: (event) => event.target === dialog && dialog.close()}},
-      html('h2', {}, 'Keys'), html('dl', {}, ...KEY_HELP.flatMap(([keys, what]) => [html('dt', {}, ...keys.split(' ').map((key) => html('kbd', {}, key))), html('dd', {}, what)])),
-      html('form', {method: 'dialog'}, html('button', {class: 'chip'}, 'Close')));
-    return dialog;
   }
 
   state() {

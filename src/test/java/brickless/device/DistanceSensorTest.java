@@ -83,6 +83,38 @@ class DistanceSensorTest {
         assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, kerb))).isEqualTo(NOTHING);
     }
 
+    /** A chair leg of 2 cm anywhere in the beam, near and far, for every direction of the sensor. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.2, 0.35, 0.6, 1.0, 1.5, 2.0})
+    void slenderPostIsNeverMissed(double metres) {
+        Obstacle post = TestWorlds.wall("post", 0.05 + metres, -0.01, 0.07 + metres, 0.01);
+        SensorBench sensor = SensorBench.of(SensorType.EV3_ULTRASONIC, post);
+        sensor.port.uart().initialise(0);
+        for (int tenths = -140; tenths <= 140; tenths += 4) {
+            double heading = Math.toRadians(tenths / 10.0);
+            sensor.bench.arena.move(sensor.bench.robot, facingFrom(heading));
+            sensor.bench.runMillis(4);
+            assertThat(sensor.shorts(1)[0]).as("%d tenths of a degree", tenths)
+                    .isCloseTo((int) (metres * 1000 - 10), offset(5));
+        }
+    }
+
+    /** The pose in which the sensor, 60 mm ahead of the axle, stands at (0.06, 0) and looks along a heading. */
+    private static Pose2 facingFrom(double heading) {
+        return new Pose2(0.06 - 0.06 * Math.cos(heading), -0.06 * Math.sin(heading), heading);
+    }
+
+    @Test void slenderPostShowsInInfraredProximityToo() {
+        Obstacle post = TestWorlds.wall("post", 0.05 + 0.35, -0.01, 0.07 + 0.35, 0.01);
+        SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED, post);
+        sensor.port.uart().initialise(0);
+        for (int tenths = -90; tenths <= 90; tenths += 6) {
+            sensor.bench.arena.move(sensor.bench.robot, facingFrom(Math.toRadians(tenths / 10.0)));
+            sensor.bench.runMillis(4);
+            assertThat((int) sensor.bytes(1)[0]).as("%d tenths of a degree", tenths).isBetween(48, 56);
+        }
+    }
+
     @Test void inchesAreTenths() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_ULTRASONIC, wallAt(0.508));
         sensor.port.uart().initialise(1);

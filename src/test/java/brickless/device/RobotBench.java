@@ -22,6 +22,10 @@ public final class RobotBench {
     public final FakeProcessor processor;
 
     public RobotBench(World world, RobotModel model, Pose2 start, ArenaSettings settings) {
+        this(world, model, start, settings, 1);
+    }
+
+    public RobotBench(World world, RobotModel model, Pose2 start, ArenaSettings settings, long seed) {
         arena = new Arena(world, List.of(new Entrant("robot", model, start)), settings);
         robot = arena.robots().get(0);
         RobotDevices[] own = new RobotDevices[1];
@@ -31,7 +35,7 @@ public final class RobotBench {
             arena.step();
             own[0].afterStep(end);
         });
-        devices = RobotDevices.of(arena, robot, processor, 1, settings.ideal());
+        devices = RobotDevices.of(arena, robot, processor, seed, settings.ideal());
         own[0] = devices;
     }
 

@@ -22,7 +22,11 @@ final class SensorBench {
     final SensorPortDevice port;
 
     SensorBench(World world, SensorMount mount, boolean ideal) {
-        bench = new RobotBench(world, TestWorlds.educator(mount), new Pose2(0, 0, 0), ArenaSettings.of(ideal));
+        this(world, mount, ideal, 1);
+    }
+
+    SensorBench(World world, SensorMount mount, boolean ideal, long seed) {
+        bench = new RobotBench(world, TestWorlds.educator(mount), new Pose2(0, 0, 0), ArenaSettings.of(ideal), seed);
         port = bench.devices.sensor(0);
     }
 

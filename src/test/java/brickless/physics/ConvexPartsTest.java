@@ -36,6 +36,19 @@ class ConvexPartsTest {
         assertThat(area(pieces)).isCloseTo(0.05, offset(1e-12));
     }
 
+    /** A sliver would push what is a few millimetres inside on through the disc instead of out. */
+    @Test void discIsCutIntoDeepSlices() {
+        List<Point2> disc = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            disc.add(new Point2(0.06 * Math.cos(i * Math.PI / 30), 0.06 * Math.sin(i * Math.PI / 30)));
+        }
+        List<List<Point2>> pieces = ConvexParts.of(disc);
+        assertThat(pieces).hasSize(10);
+        assertThat(area(pieces)).isCloseTo(ConvexParts.signedArea(disc), offset(1e-12));
+        assertThat(pieces).allSatisfy(piece -> assertThat(piece).anySatisfy(corner ->
+                assertThat(Math.hypot(corner.x(), corner.y())).isLessThan(1e-9)));
+    }
+
     @Test void outlineWithoutAreaGivesNothing() {
         assertThat(ConvexParts.of(List.of(new Point2(0, 0), new Point2(1, 0), new Point2(2, 0)))).isEmpty();
         assertThat(ConvexParts.of(List.of(new Point2(0, 0), new Point2(0, 0)))).isEmpty();

@@ -7,6 +7,7 @@ import brickless.kernel.Ensemble;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import brickless.program.Program;
+import brickless.trace.TraceListener;
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
@@ -31,7 +32,7 @@ public final class KernelCost implements Measurement {
         Program program = Program.onClassPath(TwoPollers.class.getName());
         SimulationSettings settings = ExamplePrograms.settings("pen").build();
         List<Crew.Member> crew = new Crew(settings, program).members();
-        Stage stage = new Stage(settings, program, crew);
+        Stage stage = new Stage(settings, program, crew, TraceListener.NONE);
         Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L).withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
         RobotRealm realm = new RobotRealm(program, kernel, robot.brick(robot.console()), Optional.empty());

@@ -78,6 +78,33 @@ class LocalEV3Test {
     }
 
     @Test
+    void aBrickFoundIsDescribed() {
+        BrickInfo found = new BrickInfo("Greta", "10.0.1.1", "EV3");
+        assertThat(found.getName()).isEqualTo("Greta");
+        assertThat(found.getIPAddress()).isEqualTo("10.0.1.1");
+        assertThat(found.getType()).isEqualTo("EV3");
+    }
+
+    @Test
+    void theBrickOfThisProgramIsTheDefaultUnlessAnotherIsChosen() {
+        Brick brick = BrickFinder.getDefault();
+        BrickFinder.setDefault(brick);
+        assertThat(BrickFinder.getDefault()).isSameAs(brick).isSameAs(BrickFinder.getLocal());
+        brick.setDefault();
+        assertThat(BrickFinder.getDefault()).isSameAs(brick);
+    }
+
+    @Test
+    void failuresOfDevicesNeedNotBeCaught() {
+        IllegalStateException cause = new IllegalStateException("why");
+        assertThat(new DeviceException("what", cause)).hasMessage("what").hasCause(cause).isInstanceOf(RuntimeException.class);
+        assertThat(new DeviceException(cause)).hasCause(cause);
+        assertThat(new DeviceException()).hasMessage(null);
+        assertThat(new BluetoothException("what", cause)).hasMessage("what").hasCause(cause)
+                .isInstanceOf(RuntimeException.class);
+    }
+
+    @Test
     void ledColoursAndPatternsMakeNumbers() {
         EV3LED led = new EV3LED();
         led.setPattern(EV3LED.COLOR_RED, EV3LED.PATTERN_HEARTBEAT);

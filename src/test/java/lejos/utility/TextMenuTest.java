@@ -85,6 +85,39 @@ class TextMenuTest {
     }
 
     @Test
+    void itemsAndTitleCanBeReplaced() {
+        presses(Button.ID_ENTER);
+        TextMenu menu = new TextMenu(ITEMS, 3, "Old");
+        menu.setItems(new String[] {"x", "y"});
+        menu.setTitle("New");
+        assertThat(menu.getItems()).containsExactly("x", "y");
+        assertThat(menu.select(1)).isEqualTo(1);
+        assertThat(text()).isEqualTo("\n\nNew\n x\n>y");
+        menu.setTitle(null);
+        LCD.clear();
+        bench.pressAt((long) bench.millis() + 300, Button.ID_ENTER, 150);
+        menu.select();
+        assertThat(text()).as("the row of the title stays free").isEqualTo("\n\n\n>x\n y");
+    }
+
+    @Test
+    void theTimeLimitCanBeginAnew() {
+        TextMenu menu = new TextMenu(ITEMS);
+        bench.at(400, menu::resetTimeout);
+        assertThat(menu.select(0, 500)).isEqualTo(-3);
+        assertThat(bench.millis()).isCloseTo(900, within(60.0));
+    }
+
+    @Test
+    void otherRowsStayAsTheyAre() {
+        LCD.drawString("above", 0, 0);
+        LCD.drawString("below", 0, 7);
+        presses(Button.ID_ENTER);
+        new TextMenu(new String[] {"a"}, 3).select();
+        assertThat(text()).isEqualTo("above\n\n\n>a\n\n\n\nbelow");
+    }
+
+    @Test
     void debugMessagesFillRowsAndLoseTheOneThatFindsNone() {
         DebugMessages messages = new DebugMessages();
         for (int i = 0; i < 8; i++) {

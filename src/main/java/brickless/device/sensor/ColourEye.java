@@ -1,6 +1,9 @@
 package brickless.device.sensor;
 
 import brickless.physics.Aim;
+import brickless.world.Point2;
+import brickless.world.Rgb;
+import java.util.Optional;
 
 /** What a downward-looking sensor sees of the floor: the average of a round spot, in linear light. */
 final class ColourEye {
@@ -77,6 +80,20 @@ final class ColourEye {
                 blue += LINEAR[colour & 255];
             }
         }
+    }
+
+    /** What it looks at, with its colour if the sensor is on. */
+    SensorSpot spot(boolean on) {
+        look();
+        Optional<Rgb> colour = on && !floorless ? Optional.of(new Rgb(drawn(red), drawn(green), drawn(blue))) : Optional.empty();
+        return new SensorSpot(new Point2(x, y), radius, colour);
+    }
+
+    /** Mean of linear light back to sRGB. */
+    private static int drawn(double sum) {
+        double c = sum / POINTS;
+        double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * StrictMath.pow(c, 1 / 2.4) - 0.055;
+        return (int) Math.max(0, Math.min(255, Math.round(255 * encoded)));
     }
 
     /** Reflectance for red light, 0 to 1, faded by height. */

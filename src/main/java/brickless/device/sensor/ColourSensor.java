@@ -1,5 +1,7 @@
 package brickless.device.sensor;
 
+import java.util.Optional;
+
 /** EV3 colour sensor, looking down on the floor. */
 final class ColourSensor extends UartSensor {
     private static final int DEVICE = 29;
@@ -88,5 +90,9 @@ final class ColourSensor extends UartSensor {
 
     private static int clamp(double value, int most) {
         return (int) Math.max(0, Math.min(most, Math.round(value)));
+    }
+
+    @Override Optional<SensorSpot> spot() {
+        return Optional.of(eye.spot(mode() != DARK));
     }
 }

@@ -7,9 +7,12 @@ import brickless.units.Angles;
 import brickless.world.Beacon;
 import brickless.world.Rgb;
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
-final class InfraredSensor extends UartSensor {
+final class InfraredSensor extends UartSensor implements RayFan.Visitor {
     private static final int DEVICE = 33;
     /** Time between measurements, nanoseconds: assumption within 50 to 60 ms. */
     static final long PERIOD_NANOS = 50_000_000;
@@ -33,7 +36,9 @@ final class InfraredSensor extends UartSensor {
     private static final byte NO_BEACON = (byte) 128;
     private static final double NOISE = 0.5;
 
+    private final RayFan fan = new RayFan(BEAM, RAYS, PROXIMITY_REACH);
     private final RayHit hit = new RayHit();
+    private double nearest;
     private final byte[] seek = new byte[2 * CHANNELS];
     private int proximity = 100;
     private long lastUpdate = Long.MIN_VALUE;
@@ -67,13 +72,8 @@ final class InfraredSensor extends UartSensor {
     }
 
     private int proximity(long update) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < RAYS; i++) {
-            site().surroundings().ray(aim(), BEAM * (i - RAYS / 2) / (RAYS / 2), PROXIMITY_REACH, site(), hit);
-            if (hit.solid() != null) {
-                nearest = Math.min(nearest, hit.distanceMetres() * darkness());
-            }
-        }
+        nearest = Double.POSITIVE_INFINITY;
+        fan.cast(site(), this);
         if (nearest > PROXIMITY_REACH) {
             return 100;
         }
@@ -81,8 +81,12 @@ final class InfraredSensor extends UartSensor {
                 Math.min(100, Math.round(100 * nearest / PROXIMITY_REACH + NOISE * site().noise().bell(update, 0))));
     }
 
-    private double darkness() {
-        if (hit.solid() instanceof ObstacleBody obstacle) {
+    @Override public void met(RayHit thing) {
+        nearest = Math.min(nearest, thing.distanceMetres() * darkness(thing));
+    }
+
+    private static double darkness(RayHit thing) {
+        if (thing.solid() instanceof ObstacleBody obstacle) {
             Rgb c = obstacle.description().colour();
             return BLACK_FACTOR - (BLACK_FACTOR - 1) * (c.red() + c.green() + c.blue()) / (3 * 255.0);
         }
@@ -114,6 +118,23 @@ final class InfraredSensor extends UartSensor {
         int at = 2 * (beacon.channel() - 1);
         seek[at] = (byte) Math.max(-LARGEST_HEADING, Math.min(LARGEST_HEADING, heading));
         seek[at + 1] = (byte) Math.max(0, Math.min(100, range));
+    }
+
+    @Override Optional<SensorBeam> beam() {
+        return switch (mode()) {
+            case PROXIMITY -> Optional.of(fan.seen(site(),
+                    proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
+            case SEEK -> Optional.of(towardsBeacons());
+            default -> Optional.empty();
+        };
+    }
+
+    /** A ray towards each beacon that is seen, as bearing and distance tell. */
+    private SensorBeam towardsBeacons() {
+        int[] seen = IntStream.range(0, CHANNELS).filter(channel -> seek[2 * channel + 1] != NO_BEACON).toArray();
+        double[] turns = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel] * FULL_BEARING / LARGEST_HEADING).toArray();
+        double[] lengths = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel + 1] * SEEK_REACH / 100).toArray();
+        return SensorBeam.of(aim(), turns, lengths, DoubleStream.of(lengths).min().orElse(Double.POSITIVE_INFINITY));
     }
 
     /** Whether something stands in front of a beacon; the obstacle in which the beacon itself is does not count. */

@@ -1,5 +1,7 @@
 package brickless.device.sensor;
 
+import java.util.Optional;
+
 /** NXT colour sensor, looking down: four voltages and a colour number. */
 final class NxtColourSensor extends AnalogSensor {
     private static final int DEVICE = 4;
@@ -67,5 +69,9 @@ final class NxtColourSensor extends AnalogSensor {
     @Override double[] reading(long nowNanos) {
         eye.look();
         return new double[] {colourId()};
+    }
+
+    @Override Optional<SensorSpot> spot() {
+        return Optional.of(eye.spot(true));
     }
 }

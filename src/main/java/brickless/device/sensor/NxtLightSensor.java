@@ -1,5 +1,7 @@
 package brickless.device.sensor;
 
+import java.util.Optional;
+
 /** NXT light sensor, looking down: the brighter, the lower the voltage of pin 1. */
 final class NxtLightSensor extends AnalogSensor {
     private static final int DEVICE = 2;
@@ -48,5 +50,9 @@ final class NxtLightSensor extends AnalogSensor {
 
     @Override double[] reading(long nowNanos) {
         return new double[] {level(nowNanos)};
+    }
+
+    @Override Optional<SensorSpot> spot() {
+        return Optional.of(eye.spot(true));
     }
 }

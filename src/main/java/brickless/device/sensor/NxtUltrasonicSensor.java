@@ -1,5 +1,7 @@
 package brickless.device.sensor;
 
+import java.util.Optional;
+
 /** NXT ultrasonic sensor on the I²C bus: distance in whole centimetres in its registers. */
 final class NxtUltrasonicSensor extends RegisterSensor {
     private static final int ADDRESS = 0x02;
@@ -63,6 +65,12 @@ final class NxtUltrasonicSensor extends RegisterSensor {
         } else if (register(COMMAND) == CONTINUOUS) {
             ping(nowNanos / PING_NANOS);
         }
+    }
+
+    @Override Optional<SensorBeam> beam() {
+        int centimetres = register(DISTANCES);
+        return register(COMMAND) == OFF ? Optional.empty()
+                : Optional.of(beam.seen(site(), centimetres == NOTHING ? Double.POSITIVE_INFINITY : centimetres / 100.0));
     }
 
     /** Distance in centimetres, 255 for nothing. */

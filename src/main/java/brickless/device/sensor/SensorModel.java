@@ -3,6 +3,7 @@ package brickless.device.sensor;
 import brickless.hardware.SensorSocket.Wiring;
 import brickless.physics.Aim;
 import brickless.world.SensorType;
+import java.util.Optional;
 
 /**
  * A device plugged into an input port. Values are computed when asked for, from the arena's state after the last step.
@@ -54,6 +55,16 @@ abstract class SensorModel {
      * nothing.
      */
     abstract double[] reading(long nowNanos);
+
+    /** What a distance sensor reached last; changes nothing. */
+    Optional<SensorBeam> beam() {
+        return Optional.empty();
+    }
+
+    /** What a sensor that looks down looks at; changes nothing. */
+    Optional<SensorSpot> spot() {
+        return Optional.empty();
+    }
 
     /** Follows the arena; called after every step. */
     void afterStep(long nowNanos) {

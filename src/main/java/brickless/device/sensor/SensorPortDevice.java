@@ -8,6 +8,7 @@ import brickless.kernel.Processor;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.SensorType;
+import java.util.Optional;
 import java.util.function.Function;
 
 /**
@@ -110,6 +111,19 @@ public final class SensorPortDevice implements SensorSocket {
         }
     }
 
+    /** What a distance sensor reached with its last measurement, for pictures. Charges nothing and changes nothing. */
+    public Optional<SensorBeam> beam() {
+        synchronized (lock()) {
+            return sensor == null ? Optional.empty() : sensor.beam();
+        }
+    }
+
+    /** What a colour or light sensor looks at, for pictures. Charges nothing and changes nothing. */
+    public Optional<SensorSpot> spot() {
+        synchronized (lock()) {
+            return sensor == null ? Optional.empty() : sensor.spot();
+        }
+    }
 
     @Override public Wiring wiring() {
         return sensor == null ? Wiring.NONE : sensor.wiring();

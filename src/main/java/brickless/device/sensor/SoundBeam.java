@@ -5,7 +5,7 @@ import brickless.physics.RayHit;
 import brickless.units.Angles;
 
 /** Echo of an ultrasonic sensor: the nearest thing in a cone that throws sound back. */
-final class SoundBeam {
+final class SoundBeam implements RayFan.Visitor {
     /** Half the opening angle of the cone, degrees: assumption (±15 to 20, no measured source). */
     static final double HALF_ANGLE_DEGREES = 15;
     /** Echoes from smooth walls are lost beyond this angle of incidence, degrees: assumption (45 to 50). */
@@ -13,25 +13,31 @@ final class SoundBeam {
     /** Longest distance, metres. */
     static final double REACH = 2.55;
     private static final int RAYS = 9;
-    private static final double SPACING = Angles.radiansFromDegrees(2 * HALF_ANGLE_DEGREES / (RAYS - 1));
     private static final double LARGEST_INCIDENCE = Angles.radiansFromDegrees(LARGEST_INCIDENCE_DEGREES);
 
-    private final RayHit hit = new RayHit();
+    private final RayFan fan = new RayFan(Angles.radiansFromDegrees(HALF_ANGLE_DEGREES), RAYS, REACH);
+    private double nearest;
 
     /** Distance of the nearest echo in metres, infinite if none comes back. */
     double distance(SensorSite site) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < RAYS; i++) {
-            site.surroundings().ray(site.aim(), (i - RAYS / 2) * SPACING, REACH, site, hit);
-            if (hit.distanceMetres() < nearest && echoes()) {
-                nearest = hit.distanceMetres();
-            }
-        }
+        nearest = Double.POSITIVE_INFINITY;
+        fan.cast(site, this);
         return nearest;
     }
 
+    @Override public void met(RayHit hit) {
+        if (hit.distanceMetres() < nearest && echoes(hit)) {
+            nearest = hit.distanceMetres();
+        }
+    }
+
+    /** The rays of the last measurement. */
+    SensorBeam seen(SensorSite site, double metres) {
+        return fan.seen(site, metres);
+    }
+
     /** Walls throw sound back like mirrors; robots are so rugged that some always comes back (assumption). */
-    private boolean echoes() {
+    private static boolean echoes(RayHit hit) {
         return !(hit.solid() instanceof ObstacleBody obstacle)
                 || !obstacle.description().soundAbsorbing() && hit.incidenceRadians() <= LARGEST_INCIDENCE;
     }

@@ -3,6 +3,7 @@ package brickless.device.sensor;
 import brickless.physics.Aim;
 import brickless.physics.SoundField;
 import brickless.units.Angles;
+import java.util.Optional;
 
 /** EV3 ultrasonic sensor: distance in millimetres, a new one with every ping, each known one ping later. */
 final class UltrasonicSensor extends UartSensor implements SoundField.Source {
@@ -75,6 +76,11 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
         }
         long millimetres = Math.round(metres * 1000 + NOISE_MM * site().noise().bell(number, 0));
         onItsWay = (int) Math.max(NEAREST_MM, Math.min(NOTHING_MM, millimetres));
+    }
+
+    @Override Optional<SensorBeam> beam() {
+        return mode() == DARK || mode() == LISTEN ? Optional.empty()
+                : Optional.of(beam.seen(site(), latest == NOTHING_MM ? Double.POSITIVE_INFINITY : latest / 1000.0));
     }
 
     /** Whether this sensor's pings arrive somewhere. */

@@ -65,6 +65,11 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         return new Clue(1, Kind.CONTAINER, instruction, Double.NaN, NO_PORTS, null);
     }
 
+    /** The same at some of its ports. */
+    Clue at(SortedSet<String> some) {
+        return new Clue(size, kind, text, number, some, axle);
+    }
+
     static boolean isPort(String name) {
         return name.matches(PORT);
     }
@@ -89,7 +94,7 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         if (!known() || other.is(Kind.COUNTER)) {
             return other;
         }
-        if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.DEVICE) && Objects.equals(text, other.text))) {
+        if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.WHEEL) || is(Kind.DEVICE) && Objects.equals(text, other.text))) {
             SortedSet<String> both = new TreeSet<>(ports);
             both.addAll(other.ports);
             return new Clue(size, kind, text, number, both, axle);

@@ -16,6 +16,7 @@ final class Facts {
     private final Map<String, HardwareHints.Device> devices = new TreeMap<>();
     private final Map<String, Axle> wheels = new LinkedHashMap<>();
     private final Map<String, Set<String>> names = new LinkedHashMap<>();
+    private final Map<String, Double> numbers = new LinkedHashMap<>();
     private final SortedSet<String> reversed = new TreeSet<>();
 
     /** Adds knowledge about a field, argument, result or object. */
@@ -58,13 +59,23 @@ final class Facts {
         }
     }
 
+    /** Notes that a field or variable of this name holds a number, the first time it does. */
+    void number(String name, Clue value) {
+        if (value.is(Clue.Kind.NUMBER) && value.number() > 0) {
+            numbers.putIfAbsent(name, value.number());
+        }
+    }
+
     void device(String port, String lejosClass) {
         devices.merge(port, new HardwareHints.Device(port, lejosClass, ""), (old, found) -> old);
     }
 
+    /** Notes a wheel; one at a known port counts more than one that may be at any of several. */
     void wheel(SortedSet<String> ports, Axle axle) {
-        if (axle.isComplete()) {
-            ports.forEach(port -> wheels.put(port, axle));
+        if (axle.isComplete() && ports.size() == 1) {
+            wheels.put(ports.first(), axle);
+        } else if (axle.isComplete()) {
+            ports.forEach(port -> wheels.putIfAbsent(port, axle));
         }
     }
 
@@ -77,7 +88,7 @@ final class Facts {
         return new HardwareHints(devices(1), devices(2),
                 wheels.entrySet().stream().filter(wheel -> !wheel.getValue().isOmni()).map(wheel -> ordinary(wheel.getKey(), wheel.getValue())).toList(),
                 wheels.entrySet().stream().filter(wheel -> wheel.getValue().isOmni()).map(wheel -> omni(wheel.getKey(), wheel.getValue())).toList(),
-                reversed);
+                reversed, numbers);
     }
 
     private List<HardwareHints.Device> devices(int lengthOfPort) {

@@ -1,6 +1,9 @@
 package brickless.loading.hints;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
@@ -13,19 +16,23 @@ import java.util.TreeSet;
  * @param wheels ordinary wheels it declares through chassis or pilot constructors
  * @param omniWheels wheels of a holonomic chassis or pilot
  * @param reversed ports of motors that the program takes to be mounted the other way round
+ * @param numbers positive numbers by the names of the fields and variables that hold them, in the order found: programs without a pilot
+ *     keep the sizes of their wheels there
  */
-public record HardwareHints(List<Device> motors, List<Device> sensors, List<Wheel> wheels, List<OmniWheel> omniWheels, Set<String> reversed) {
+public record HardwareHints(List<Device> motors, List<Device> sensors, List<Wheel> wheels, List<OmniWheel> omniWheels, Set<String> reversed,
+        Map<String, Double> numbers) {
     public HardwareHints {
         motors = List.copyOf(motors);
         sensors = List.copyOf(sensors);
         wheels = List.copyOf(wheels);
         omniWheels = List.copyOf(omniWheels);
-        reversed = java.util.Collections.unmodifiableSet(new TreeSet<>(reversed));
+        reversed = Collections.unmodifiableSet(new TreeSet<>(reversed));
+        numbers = Collections.unmodifiableMap(new LinkedHashMap<>(numbers));
     }
 
     /** Hints of a program that declares no omni wheels and no reversed motors. */
     public HardwareHints(List<Device> motors, List<Device> sensors, List<Wheel> wheels) {
-        this(motors, sensors, wheels, List.of(), Set.of());
+        this(motors, sensors, wheels, List.of(), Set.of(), Map.of());
     }
 
     /**

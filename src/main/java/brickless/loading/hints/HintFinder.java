@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -25,6 +26,7 @@ import org.objectweb.asm.tree.analysis.Frame;
  */
 public final class HintFinder {
     private static final int PASSES = 5;
+    private static final Set<Integer> STORES = Set.of(Opcodes.ASTORE, Opcodes.ISTORE, Opcodes.FSTORE, Opcodes.DSTORE);
 
     private HintFinder() {}
 
@@ -49,7 +51,9 @@ public final class HintFinder {
     private static void constants(ClassNode type, Facts facts) {
         for (FieldNode field : type.fields) {
             if (field.value != null) {
-                facts.learn(type.name + "." + field.name, HintInterpreter.ofConstant(field.value));
+                Clue constant = HintInterpreter.ofConstant(field.value);
+                facts.learn(type.name + "." + field.name, constant);
+                facts.number(field.name, constant);
             }
         }
     }
@@ -80,7 +84,7 @@ public final class HintFinder {
 
     private static void names(MethodNode method, Frame<Clue>[] frames, Map<AbstractInsnNode, Integer> places, Facts facts) {
         for (AbstractInsnNode instruction : method.instructions) {
-            if (instruction.getOpcode() != Opcodes.ASTORE || frames[places.get(instruction)] == null || method.localVariables == null) {
+            if (!STORES.contains(instruction.getOpcode()) || frames[places.get(instruction)] == null || method.localVariables == null) {
                 continue;
             }
             Frame<Clue> frame = frames[places.get(instruction)];
@@ -89,6 +93,7 @@ public final class HintFinder {
             for (LocalVariableNode variable : method.localVariables) {
                 if (variable.index == local) {
                     facts.named(stored, variable.name);
+                    facts.number(variable.name, stored);
                 }
             }
         }

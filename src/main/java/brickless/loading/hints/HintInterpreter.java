@@ -2,6 +2,8 @@ package brickless.loading.hints;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.AbstractInsnNode;
@@ -13,6 +15,9 @@ import org.objectweb.asm.tree.analysis.Interpreter;
 
 /** Interprets one method symbolically; what it finds goes into {@link Facts}. */
 final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
+    /** Prefix of what an object of a class of the program is. */
+    private static final String INSTANCE = "instance of ";
+
     private final Facts facts;
     private final LejosCalls calls;
     private final JdkCollections collections;
@@ -128,6 +133,7 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         Clue known = resolved(value);
         facts.learn(access.owner + "." + access.name, known);
         facts.named(known, access.name);
+        facts.number(access.name, known);
     }
 
     private static Clue arithmetic(int size, double value) {
@@ -184,7 +190,7 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         Clue answer = calls.returned(call, arguments);
         answer = answer == null ? collections.returned(call, arguments, nameOf(call)) : answer;
         if (answer == null) {
-            answer = facts.at(call.owner + "." + call.name + call.desc);
+            answer = narrowed(facts.at(call.owner + "." + call.name + call.desc), arguments);
         }
         int size = Type.getReturnType(call.desc).getSize();
         return size == 0 ? null : answer == null || answer.size() != size ? Clue.unknown(size) : answer;
@@ -192,9 +198,39 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
 
     private void constructed(MethodInsnNode call, Clue object, List<Clue> arguments) {
         Clue made = calls.constructed(call, arguments);
+        made = made == null ? narrowed(facts.at(INSTANCE + call.owner), arguments) : made;
         if (object.is(Clue.Kind.OBJECT)) {
             facts.learn(object.text(), made == null ? collections.constructed(call, arguments, object.text()) : made);
+        } else if (!object.known() && method.contains(".<init>") && made != null && made.is(Clue.Kind.DEVICE)) {
+            instance(made);
         }
+    }
+
+    /** The class of this constructor is a device, because its superclass is. */
+    private void instance(Clue device) {
+        String own = method.substring(0, method.indexOf(".<init>"));
+        facts.learn(INSTANCE + own, device);
+        device.ports().forEach(port -> facts.named(device.at(new TreeSet<>(Set.of(port))), own.substring(own.lastIndexOf('/') + 1)));
+    }
+
+    /** What a method or class makes at the port it is given, it makes this time at this port. */
+    private Clue narrowed(Clue answer, List<Clue> arguments) {
+        if (answer == null || answer.ports().size() < 2) {
+            return answer;
+        }
+        return arguments.stream().map(Clue::ports).filter(ports -> ports.size() == 1 && answer.ports().containsAll(ports)).findFirst()
+                .map(ports -> offset(answer.at(ports), arguments)).orElse(answer);
+    }
+
+    /** A method that makes wheels takes their offset, if it takes a single number. */
+    private Clue offset(Clue made, List<Clue> arguments) {
+        List<Clue> numbers = arguments.stream().filter(argument -> argument.is(Clue.Kind.NUMBER)).toList();
+        if (!made.is(Clue.Kind.WHEEL) || Double.isNaN(made.axle().offset()) || numbers.size() != 1) {
+            return made;
+        }
+        Axle axle = made.axle().atOffset(numbers.get(0).number());
+        facts.wheel(made.ports(), axle);
+        return Clue.wheel(made.ports(), axle);
     }
 
     @Override public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {

@@ -2,9 +2,10 @@ package brickless.loading.hints;
 
 import java.util.List;
 import java.util.Set;
+import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.MethodInsnNode;
 
-/** What JDK collections and wrappers do with what is known: programs keep motors in lists and maps, and numbers in boxes. */
+/** What JDK collections and wrappers do with what is known: programs keep motors in lists and maps, and numbers in boxes and texts. */
 final class JdkCollections {
     private static final Set<String> VIEWS = Set.of("iterator", "listIterator", "values", "entrySet", "clone", "stream", "toArray");
     private static final Set<String> LOOK_UPS = Set.of("get", "getOrDefault", "remove", "getFirst", "getLast", "next", "getValue", "poll",
@@ -31,11 +32,24 @@ final class JdkCollections {
             return factory(call, arguments, instruction);
         }
         Clue first = arguments.isEmpty() ? Clue.unknown(1) : arguments.get(0);
+        if (call.name.equals("getProperty") && arguments.size() == 3) {
+            return arguments.get(2);
+        }
+        if (first.is(Clue.Kind.TEXT) && call.owner.startsWith("java/lang/") && call.name.matches("parse(Double|Float|Int)|valueOf")) {
+            return parsed(first.text(), sizeOf(call));
+        }
         if (call.name.equals("valueOf") || call.name.endsWith("Value") && call.owner.startsWith("java/lang/")) {
-            return first.is(Clue.Kind.NUMBER) ? new Clue(call.desc.matches(".*\\)[DJ]") ? 2 : 1, first.kind(), "", first.number(), first.ports(), null)
-                    : null;
+            return first.is(Clue.Kind.NUMBER) ? Clue.number(sizeOf(call), first.number()) : null;
         }
         return first.is(Clue.Kind.CONTAINER) ? held(call, arguments) : null;
+    }
+
+    private static int sizeOf(MethodInsnNode call) {
+        return Type.getReturnType(call.desc).getSize();
+    }
+
+    private static Clue parsed(String text, int size) {
+        return text.matches("-?\\d+(\\.\\d+)?[fd]?") ? Clue.number(size, Double.parseDouble(text)) : null;
     }
 
     private Clue held(MethodInsnNode call, List<Clue> arguments) {

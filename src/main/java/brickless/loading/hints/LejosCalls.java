@@ -17,6 +17,8 @@ final class LejosCalls {
     private static final String HOLONOMIC_MODELER = "lejos/robotics/chassis/WheeledChassis$HolonomicModeler";
     private static final Set<String> TWO_WHEEL_PILOTS = Set.of("lejos/robotics/navigation/DifferentialPilot",
             "lejos/robotics/navigation/MovePilot", "lejos/robotics/navigation/CompassPilot");
+    /** What leJOS makes of a motor that the program only names. */
+    private static final String READY_MADE = "NXTRegulatedMotor";
     private static final String OMNI_PILOT = "lejos/robotics/navigation/OmniPilot";
 
     private final Facts facts;
@@ -29,7 +31,7 @@ final class LejosCalls {
     static Clue constant(String owner, String name) {
         return switch (owner) {
             case "lejos/hardware/port/MotorPort", "lejos/hardware/port/SensorPort" -> Clue.isPort(name) ? Clue.port(name) : null;
-            case "lejos/hardware/motor/Motor" -> Clue.isPort(name) ? Clue.device("NXTRegulatedMotor", new TreeSet<>(Set.of(name))) : null;
+            case "lejos/hardware/motor/Motor" -> Clue.isPort(name) ? Clue.device(READY_MADE, new TreeSet<>(Set.of(name))) : null;
             default -> null;
         };
     }
@@ -102,6 +104,10 @@ final class LejosCalls {
         if (call.name.equals("getPort") && call.desc.startsWith("(Ljava/lang/String;)") && call.owner.startsWith("lejos/")) {
             Clue name = arguments.get(arguments.size() - 1);
             return name.is(Clue.Kind.TEXT) && !name.ports().isEmpty() ? Clue.port(name.ports()) : null;
+        }
+        if (call.owner.equals("lejos/utility/PilotProps") && call.name.equals("getMotor") && !first.ports().isEmpty()) {
+            first.ports().forEach(port -> facts.device(port, READY_MADE));
+            return Clue.device(READY_MADE, first.ports());
         }
         if (call.owner.equals("lejos/robotics/MirrorMotor") && first.is(Clue.Kind.DEVICE)) {
             facts.reversed(first.ports());

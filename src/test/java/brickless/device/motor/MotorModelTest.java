@@ -1,6 +1,7 @@
 package brickless.device.motor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import brickless.world.MotorType;
@@ -46,14 +47,34 @@ class MotorModelTest {
         assertThat(torque).isCloseTo(0.43, withPercentage(3));
     }
 
-    @Test void mediumMotorStallsBetween15And19NewtonCentimetres() {
+    @ParameterizedTest
+    @CsvSource({"LARGE,0.275,0.473,5.5,0.0165", "MEDIUM,0.246,0.291,10.7,0.0246", "NXT,0.341,0.487,5.5,0.0204"})
+    void constantsAreThoseOfTheArithmetic(MotorType type, double kt, double ke, double ohms, double friction) {
+        MotorConstants constants = MotorConstants.of(type);
+        assertThat(constants.torqueConstant()).isCloseTo(kt, withPercentage(1));
+        assertThat(constants.backEmfConstant()).isCloseTo(ke, withPercentage(1));
+        assertThat(constants.resistanceOhms()).isCloseTo(ohms, withPercentage(1));
+        assertThat(constants.frictionNewtonMetres()).isCloseTo(friction, withPercentage(1));
+    }
+
+    @Test void encoderCountsWholeDegreesOfTheShaft() {
+        MotorBench bench = new MotorBench(MotorType.LARGE, 9);
+        for (int i = 0; i < 300; i++) {
+            bench.motor.drive(i < 150 ? 30 : -45);
+            bench.processor.runMillis(2);
+            assertThat((double) bench.motor.encoder())
+                    .isCloseTo(Math.toDegrees(bench.shaft.angleRadians()), within(0.5000001));
+        }
+    }
+
+    @Test void mediumMotorStallsBetween15And18NewtonCentimetres() {
         MotorBench weak = new MotorBench(MotorType.MEDIUM, 9);
         weak.shaft.setLoadTorque(-15 * NEWTON_CENTIMETRES);
         weak.motor.drive(100);
         weak.processor.runMillis(500);
         assertThat(weak.rpm()).isPositive();
         MotorBench strong = new MotorBench(MotorType.MEDIUM, 9);
-        strong.shaft.setLoadTorque(-19 * NEWTON_CENTIMETRES);
+        strong.shaft.setLoadTorque(-18 * 1.03 * NEWTON_CENTIMETRES);
         strong.motor.drive(100);
         strong.processor.runMillis(500);
         assertThat(strong.rpm()).isNotPositive();

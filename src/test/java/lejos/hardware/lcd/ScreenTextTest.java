@@ -50,6 +50,23 @@ class ScreenTextTest {
     }
 
     @Test
+    void callsThatConcernTheNxtScreenDoNothing() {
+        LCD.setContrast(50);
+        assertThat(LCD.setAutoRefreshPeriod(7)).isZero();
+        bench.processor().charge(5_000_000);
+        assertThat(LCD.getRefreshCompleteTime()).as("now, on a clock that begins in 2015").isPositive();
+        double before = bench.millis();
+        LCD.asyncRefreshWait();
+        assertThat(bench.millis() - before).isLessThan(1);
+        assertThat(ink()).isZero();
+    }
+
+    @Test
+    void nullIsNoText() {
+        assertThatThrownBy(() -> LCD.drawString(null, 0, 0)).isInstanceOf(NullPointerException.class);
+    }
+
+    @Test
     void withoutAutoRefreshOnlyRequestsCopy() {
         LCD.setAutoRefresh(false);
         LCD.drawString("x", 0, 0);

@@ -41,6 +41,17 @@ class SensorPortChannelsTest {
     }
 
     @Test
+    @SuppressWarnings("deprecation")
+    void typeAndModeTogetherAlwaysSucceed() {
+        AnalogPort port = SensorPort.S1.open(AnalogPort.class);
+        assertTrue(port.setTypeAndMode(12, SensorConstants.MODE_RAW), "although the type is refused");
+        assertFalse(port.setType(12));
+        assertTrue(port.setMode(3));
+        assertEquals(3, port.getMode());
+        assertEquals(0, port.getType(), "always");
+    }
+
+    @Test
     void colourVoltagesAreCopiedAndMissingOnesAreZero() {
         AnalogPort port = SensorPort.S1.open(AnalogPort.class);
         brick.sensor(0).analog().colours(1, 2, 3, 0.5f, 5);

@@ -2,6 +2,7 @@ package lejos.hardware.sensor;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
@@ -11,6 +12,7 @@ import java.util.List;
 import lejos.hardware.AttachedBrick;
 import lejos.hardware.port.I2CException;
 import lejos.hardware.port.I2CPort;
+import lejos.hardware.port.PortException;
 import lejos.hardware.port.SensorPort;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -43,6 +45,14 @@ class I2CSensorTest {
         var refusal = assertThrows(IllegalArgumentException.class, () -> new I2CSensor(SensorPort.S1, 2, 9));
         assertEquals("Invalid sensor mode", refusal.getMessage());
         new I2CSensor(SensorPort.S1, 2);
+    }
+
+    @Test
+    void failuresOfABusNeedNotBeCaught() {
+        I2CException failure = new I2CException("I2C I/O error");
+        assertInstanceOf(PortException.class, failure);
+        assertInstanceOf(RuntimeException.class, new PortException("no", failure));
+        assertEquals("I2C I/O error", failure.getMessage());
     }
 
     @Test

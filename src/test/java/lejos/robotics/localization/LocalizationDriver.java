@@ -82,6 +82,8 @@ final class LocalizationDriver {
         seen.note("extent", provider.getXRange() + provider.getYRange()).note("min x", provider.getMinX());
         seen.note("updated", provider.isUpdated() || provider.isLost() || provider.isBusy() || provider.update());
         seen.note("error", provider.getErrorRect().getCenterX());
+        Bytes.note(seen, "provider", provider);
+        Bytes.note(seen, "copied provider", Bytes.copy(provider, new MCLPoseProvider(ROOM, 1, 0)));
     }
 
     private static void beacons(Sightings seen, Random random) {

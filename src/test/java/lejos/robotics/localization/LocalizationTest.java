@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lejos.Agreement;
 import lejos.Bytes;
+import lejos.robotics.DirectionFinder;
 import lejos.robotics.RangeFinder;
 import lejos.robotics.RangeReadings;
 import lejos.robotics.RangeScanner;
@@ -64,6 +65,47 @@ class LocalizationTest {
         pilot.start();
         pilot.stop(MoveType.TRAVEL, -50, 0);
         assertPose(odometry.getPose(), -50, 0, 0);
+    }
+
+    @Test
+    void compassReplacesTheHeadingOnlyInWhatIsDelivered() {
+        CompassPoseProvider provider = new CompassPoseProvider(pilot, new NorthIs(77));
+        pilot.start();
+        pilot.stop(MoveType.ROTATE, 0, 90);
+        pilot.start();
+        pilot.stop(MoveType.TRAVEL, 40, 0);
+        assertPose(provider.getPose(), 0, 40, 77);
+    }
+
+    private record NorthIs(float getDegreesCartesian) implements DirectionFinder {
+        @Override
+        public void resetCartesianZero() {
+            throw new UnsupportedOperationException("a fixed compass");
+        }
+
+        @Override
+        public void startCalibration() {
+            throw new UnsupportedOperationException("a fixed compass");
+        }
+
+        @Override
+        public void stopCalibration() {
+            throw new UnsupportedOperationException("a fixed compass");
+        }
+    }
+
+    @Test
+    void aParticleWeighsTheProductOfItsErrors() {
+        MCLParticle particle = new MCLParticle(new Pose(60, 30, 0));
+        assertThat(particle.getWeight()).isEqualTo(1);
+        RangeReadings readings = new RangeReadings(2);
+        readings.setRange(0, 0, 140 + 10);
+        readings.setRange(1, 90, 70 - 20);
+        particle.calculateWeight(readings, room, 400);
+        assertThat((double) particle.getWeight()).isCloseTo(Math.exp(-100 / 400.0) * Math.exp(-400 / 400.0), within(1e-5));
+        particle = new MCLParticle(new Pose(-1, 30, 0));
+        particle.calculateWeight(readings, room, 400);
+        assertThat(particle.getWeight()).as("outside").isZero();
     }
 
     @Test

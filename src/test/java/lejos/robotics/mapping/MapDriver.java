@@ -32,6 +32,9 @@ final class MapDriver {
         Bytes.note(seen, "flipped", flipped);
         Bytes.note(seen, "drawn", drawn(map));
         grid(seen, random);
+        for (NavigationModel.NavEvent event : NavigationModel.NavEvent.values()) {
+            seen.note("code of " + event, event.ordinal());
+        }
         return seen;
     }
 

@@ -101,6 +101,20 @@ class NavigatorTest {
     }
 
     @Test
+    void noWayAlongArcsIsAnInterruption() {
+        FakeController car = new FakeController(20);
+        Navigator driver = new Navigator(car);
+        driver.addNavigationListener(journal);
+        driver.goTo(Float.NaN, 0);
+        assertThat(driver.waitForStop()).as("the path is not complete").isFalse();
+        assertThat(journal.lines()).singleElement().asString().startsWith("interrupted NaN");
+        assertThat(car.calls()).isEmpty();
+        driver.clearPath();
+        driver.goTo(100, -100);
+        assertThat(driver.waitForStop()).as("it still works").isTrue();
+    }
+
+    @Test
     void clearedPathIsNotFollowed() {
         navigator.addWaypoint(10, 0);
         navigator.clearPath();

@@ -116,6 +116,54 @@ class PathFinderTest {
     }
 
     @Test
+    void nodesOfAllGridsShareTheLastSpacing() {
+        GridNode first = new GridNode(0, 0, 10);
+        GridNode second = new GridNode(30, 40, 7);
+        assertThat(first.calculateG(second)).as("as in leJOS, static").isEqualTo(7);
+        assertThat(first.calculateH(second)).isEqualTo(70);
+        assertThat(new Node(0, 0).calculateG(second)).isEqualTo(50);
+    }
+
+    @Test
+    void linksAreOneWay() {
+        Node first = new Node(0, 0);
+        Node second = new Node(1, 1);
+        assertThat(first.addNeighbor(second)).isTrue();
+        assertThat(first.addNeighbor(second)).isFalse();
+        assertThat(first.addNeighbor(first)).isFalse();
+        assertThat(second.neighbors()).isZero();
+        assertThat(first.getNeighbors()).containsExactly(second);
+        assertThat(first.removeNeighbor(second)).isTrue();
+        assertThat(first.removeNeighbor(second)).isFalse();
+    }
+
+    @Test
+    void mapsGivenLaterAreAddedAndListsReplace() throws DestinationUnreachableException {
+        ShortestPathFinder finder = new ShortestPathFinder(wall);
+        finder.setMap(box);
+        assertThat(finder.getMap()).as("as in leJOS").hasSize(5);
+        finder.setMap(new ArrayList<>());
+        assertThat(finder.findRoute(start, goal)).hasSize(2);
+        finder.lengthenLines(5);
+        new ShortestPathFinder(wall).lengthenLines(5);
+        assertThat(wall.getLines()[0].length()).as("the map's own lines").isEqualTo(50);
+    }
+
+    @Test
+    void linksOfAGridCanBeCutAndMade() {
+        FourWayGridMesh mesh = new FourWayGridMesh(wall, 10, 2);
+        Node first = mesh.getMesh().iterator().next();
+        Node second = first.getNeighbors().iterator().next();
+        assertThat(mesh.disconnect(first, second)).isTrue();
+        assertThat(first.getNeighbors()).doesNotContain(second);
+        assertThat(mesh.disconnect(first, second)).as("always").isTrue();
+        assertThat(mesh.connect(first, second)).isTrue();
+        assertThat(mesh.connect(first, second)).as("linked already").isTrue();
+        assertThat(mesh.connect(new Node(45, 0), new Node(55, 0))).as("through the wall").isFalse();
+        assertThat(mesh.connect(first, new Node(-11, 0))).as("outside").isFalse();
+    }
+
+    @Test
     void aStarPrefersTheCheaperWayFoundLater() {
         Node first = new Node(0, 0);
         Node detour = new Node(0, 8);
