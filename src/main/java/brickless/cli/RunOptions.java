@@ -144,7 +144,7 @@ final class RunOptions {
         append(words, "--seed", otherSeed == 1 ? null : String.valueOf(otherSeed));
         append(words, "--stimuli", stimuliFile == null ? null : stimuliFile.toString());
         append(words, "--buttons", pressButtons() ? null : "none");
-        append(words, "--until", goal == null ? null : goal.zone().map(zone -> "zone:" + zone).orElse("exit"));
+        append(words, "--until", goal == null ? null : goal.text());
         return words.append(attended || live ? " --attended" : "").append(ideal ? " --ideal" : "").toString();
     }
 

@@ -8,7 +8,7 @@ import org.jbox2d.dynamics.joints.WeldJointDef;
 
 /**
  * A claw: its motor turns between two stops, and once it is more than half closed a movable obstacle between its jaws
- * is held until it opens again. The jaws keep their drawn place.
+ * is held until it opens again. Things hit the jaws where they are drawn.
  */
 final class Gripper {
     /** Closed further than this part of its travel, the claw holds: assumption. */

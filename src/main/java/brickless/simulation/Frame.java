@@ -29,7 +29,7 @@ public record Frame(long timeNanos, List<RobotFrame> robots, List<BodySample> bo
         }
     }
 
-    /** A turret: element id, letter of its motor's port, and its clockwise angle against the robot. */
+    /** Element id, letter of the motor's port, and the clockwise angle of a turret against the robot or the angle of a claw's motor. */
     public record Part(String id, char port, double angleRadians) {}
 
     /**

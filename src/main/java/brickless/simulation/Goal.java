@@ -16,6 +16,11 @@ public record Goal(Optional<String> zone) {
         return text.startsWith("zone:") && text.length() > 5 ? Optional.of(new Goal(Optional.of(text.substring(5)))) : Optional.empty();
     }
 
+    /** As {@link #parse} takes it. */
+    public String text() {
+        return zone.map(name -> "zone:" + name).orElse("exit");
+    }
+
     /** Whether an outcome means that the goal was reached. */
     public boolean reachedBy(Outcome outcome) {
         return zone.isPresent() ? outcome.kind().equals("goal-reached") : outcome.kind().equals("exited") && outcome.successful();

@@ -27,6 +27,7 @@ final class RobotSession {
     private final RobotDevices devices;
     private final RunTimeFitting fitting = new RunTimeFitting();
     private final PlugNotes plugs = new PlugNotes();
+    private final SensorModes modes;
     private final ProgramExit end;
     private Optional<String> guesses = Optional.empty();
     private boolean poweredOff;
@@ -45,6 +46,7 @@ final class RobotSession {
         fitted = member.fitted();
         body = arena.robot(name).orElseThrow();
         this.end = end;
+        modes = new SensorModes((time, mode) -> recorder.event(time, name, mode));
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
         panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
         panel.keys().setAttended(settings.attended());
@@ -115,7 +117,9 @@ final class RobotSession {
         console.step(nowNanos);
     }
 
+    /** What the robot is like now; modes of sensors that have changed since the last time are written down before. */
     RobotSample sample(long nowNanos) {
+        modes.note(nowNanos, devices);
         List<RobotSample.MotorSample> motors = new ArrayList<>();
         List<RobotSample.SensorSample> sensors = new ArrayList<>();
         for (int port = 0; port < 4; port++) {
@@ -135,6 +139,9 @@ final class RobotSession {
         for (int i = 0; i < model.turrets().size(); i++) {
             RobotModel.Turret turret = model.turrets().get(i);
             parts.add(new Frame.Part(turret.id(), (char) ('A' + turret.port()), body.turretAngleRadians(i)));
+        }
+        for (RobotModel.Claw claw : model.claws()) {
+            parts.add(new Frame.Part(claw.id(), (char) ('A' + claw.port()), body.shaft(claw.port()).angleRadians()));
         }
         List<Frame.Beam> beams = new ArrayList<>();
         List<Frame.Spot> spots = new ArrayList<>();

@@ -2,7 +2,6 @@ package brickless.simulation;
 
 import brickless.trace.HtmlReport;
 import brickless.trace.ReportScene;
-import brickless.world.Point2;
 import brickless.world.RobotModel;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -29,16 +28,14 @@ final class RunFiles {
     void write(RunReport report) {
         folder.write("summary.json", report.json() + "\n");
         folder.write("world.svg", settings.world().svg());
-        Map<String, List<List<Point2>>> outlines = new LinkedHashMap<>();
         Map<String, RobotModel> models = new LinkedHashMap<>();
         for (int i = 0; i < sessions.size(); i++) {
             RobotSession session = sessions.get(i);
-            outlines.put(session.name(), session.model().chassis());
             models.put(session.name(), session.model());
             folder.write(i == 0 ? "screen.png" : "screen-" + session.name() + ".png", session.panel().screen().asPng());
             folder.write(FinishedRun.robotFile(i, session.name()), session.model().svg());
         }
-        folder.write("path.svg", recorder.path().svg(settings.world(), outlines));
+        folder.write("path.svg", recorder.path().svg(settings.world(), models));
         page(report, new ReportScene(settings.world(), models));
         folder.publish();
     }

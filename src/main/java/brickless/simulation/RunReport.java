@@ -5,6 +5,7 @@ import brickless.trace.JsonText;
 import brickless.world.Pose2;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * The figures of a finished run.
@@ -15,7 +16,7 @@ import java.util.Locale;
  * @param robot name of the robot's model
  * @param seed seed
  * @param outcome how it ended
- * @param goalMissed whether a goal was asked for and not reached
+ * @param goal what was to be reached
  * @param wallSeconds time it took on this machine
  * @param distanceMetres way driven by the (first) robot
  * @param collisions contacts of the robot with obstacles or other robots that began
@@ -29,12 +30,17 @@ import java.util.Locale;
  * @param notes lines for the user about what was done for them: fitted robot, keys pressed
  * @param files folder with the files of the run, empty if none
  */
-public record RunReport(String program, String main, String world, String robot, long seed, Outcome outcome, boolean goalMissed,
+public record RunReport(String program, String main, String world, String robot, long seed, Outcome outcome, Optional<Goal> goal,
         double wallSeconds, double distanceMetres, int collisions, List<String> zones, Pose2 finalPose, String traceHash,
         long contextSwitches, long physicsSteps, String backend, String jdk, List<String> notes, String files) {
     public RunReport {
         zones = List.copyOf(zones);
         notes = List.copyOf(notes);
+    }
+
+    /** Whether a goal was asked for and not reached. */
+    public boolean goalMissed() {
+        return goal.isPresent() && !goal.get().reachedBy(outcome);
     }
 
     /** Simulated seconds. */
@@ -49,7 +55,7 @@ public record RunReport(String program, String main, String world, String robot,
 
     /** Exit status of the command line: 0 success, 1 failure of the program or a missed goal. */
     public int exitStatus() {
-        return outcome.successful() && !goalMissed ? 0 : 1;
+        return outcome.successful() && !goalMissed() ? 0 : 1;
     }
 
     /** The JSON object of {@code --json}. */
@@ -57,7 +63,7 @@ public record RunReport(String program, String main, String world, String robot,
         return json(true);
     }
 
-    /** The JSON object of a sweep: {@link #exitStatus} as {@code passed}, and nothing that depends on the machine, its load or its JDK. */
+    /** The JSON object of a sweep: nothing that depends on the machine, its load or its JDK. */
     public String portableJson() {
         return json(false);
     }
@@ -71,7 +77,8 @@ public record RunReport(String program, String main, String world, String robot,
             } else {
                 line.nothing("exitStatus");
             }
-            if (!withHost) {
+            goal.ifPresent(wanted -> line.text("goal", wanted.text()));
+            if (!withHost || goal.isPresent()) {
                 line.flag("passed", exitStatus() == 0);
             }
             line.seconds("simulatedSeconds", outcome.timeNanos());
@@ -104,7 +111,7 @@ public record RunReport(String program, String main, String world, String robot,
         text.append(String.format(Locale.ROOT, "%s in %s with %s, seed %d%n", main, world, robot, seed));
         notes.forEach(note -> text.append("  ").append(note).append(System.lineSeparator()));
         text.append(String.format(Locale.ROOT, "  outcome    %s%s%s after %s simulated seconds%n", outcome.kind(),
-                outcome.exitStatus().map(status -> " with status " + status).orElse(""), goalMissed ? " (goal not reached)" : "",
+                outcome.exitStatus().map(status -> " with status " + status).orElse(""), goalMissed() ? " (goal not reached)" : "",
                 Decimals.text(simulatedSeconds(), 3)));
         text.append(String.format(Locale.ROOT, "  robot      drove %.2f m, %d collisions, ends at %.0f mm, %.0f mm, heading %.0f degrees%n",
                 distanceMetres, collisions, finalPose.x() * 1000, finalPose.y() * 1000, headingDegrees()));

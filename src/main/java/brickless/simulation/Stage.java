@@ -162,8 +162,9 @@ final class Stage {
         String hash = recorder.finish();
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
-        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(), first.fitted() ? "auto" : first.model().name(), settings.seed(), outcome,
-                settings.goal().map(goal -> !goal.reachedBy(outcome)).orElse(false), wallSeconds, first.body().distanceMetres(),
+        RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(),
+                first.fitted() ? "auto" : first.model().name(), settings.seed(), outcome,
+                settings.goal(), wallSeconds, first.body().distanceMetres(),
                 journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
                 Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, robots).write(report));

@@ -18,6 +18,7 @@ final class EventReader {
             case "print" -> new TraceEvent.PrintEvent(line.text("text"), line.flag("error"));
             case "arbitrator" -> new TraceEvent.ArbitratorEvent(small(line, "arbitrator"), line.texts("behaviours"));
             case "wants", "active", "suppressed" -> new TraceEvent.BehaviourEvent(type, small(line, "arbitrator"), small(line, "behaviour"));
+            case "mode" -> new TraceEvent.ModeEvent(small(line, "port"), line.text("kind"), line.text("mode"));
             case "collision" -> new TraceEvent.CollisionEvent(line.text("with"), line.number("speed"));
             case "fell" -> new TraceEvent.FallEvent();
             case "zone" -> new TraceEvent.ZoneEvent(line.text("zone"), line.flag("entered"));

@@ -20,7 +20,7 @@ public final class HtmlReport {
     /** Styles in the order they are joined. */
     private static final List<String> STYLES = List.of("theme.css", "layout.css", "brick.css", "tracks.css");
     /** Parts of the page in the order they are joined: those behind may use those before. */
-    private static final List<String> SCRIPTS = List.of("inflate.js", "recording.js", "screen.js", "behaviours.js", "player.js", "dom.js", "widgets.js", "drawing.js", "arena.js",
+    private static final List<String> SCRIPTS = List.of("inflate.js", "recording.js", "sensors.js", "screen.js", "behaviours.js", "player.js", "dom.js", "widgets.js", "drawing.js", "arena.js",
             "brick.js", "tracks.js", "plots.js", "timeline.js", "listing.js", "events.js", "figures.js", "transport.js", "main.js");
 
     private HtmlReport() {}

@@ -2,6 +2,7 @@ package brickless.trace;
 
 import brickless.world.Point2;
 import brickless.world.Pose2;
+import brickless.world.RobotModel;
 import brickless.world.World;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -18,7 +19,7 @@ public final class PathDrawing {
     private static final String[] COLOURS = {"#1769aa", "#b3261e", "#2e7d32", "#7b1fa2"};
 
     private final Map<String, List<Point2>> paths = new LinkedHashMap<>();
-    private final Map<String, Pose2> last = new LinkedHashMap<>();
+    private final Map<String, RobotSample> last = new LinkedHashMap<>();
     private final Map<String, Pose2> moved = new LinkedHashMap<>();
 
     /** Notes where everything is. */
@@ -29,7 +30,7 @@ public final class PathDrawing {
             if (path.isEmpty() || distance(path.get(path.size() - 1), here) >= SPACING_METRES) {
                 path.add(here);
             }
-            last.put(robot.name(), robot.pose());
+            last.put(robot.name(), robot);
         }
         for (BodySample body : sample.bodies()) {
             moved.put(body.id(), body.displacement());
@@ -44,9 +45,9 @@ public final class PathDrawing {
      * The picture as SVG text.
      *
      * @param world the arena
-     * @param outlines collision outlines of each robot by name, in its own frame
+     * @param models what each robot is built of, by its name
      */
-    public String svg(World world, Map<String, List<List<Point2>>> outlines) {
+    public String svg(World world, Map<String, RobotModel> models) {
         StringBuilder extra = new StringBuilder("<g id=\"brickless-run\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
         world.obstacles().stream().filter(obstacle -> moved.containsKey(obstacle.id())).forEach(obstacle -> {
             appendOutlines(extra, obstacle.outlines(), moved.get(obstacle.id()),
@@ -61,14 +62,15 @@ public final class PathDrawing {
             Point2 start = path.getValue().get(0);
             extra.append("<circle cx=\"").append(millimetres(start.x())).append("\" cy=\"").append(millimetres(start.y()))
                     .append("\" r=\"10\" stroke=\"").append(colour).append("\" stroke-width=\"4\" fill=\"#ffffff\"/>\n");
-            List<List<Point2>> body = outlines.getOrDefault(path.getKey(), List.of());
-            appendOutlines(extra, body, last.get(path.getKey()),
+            RobotSample end = last.get(path.getKey());
+            List<List<Point2>> body = models.containsKey(path.getKey()) ? RobotOutline.of(models.get(path.getKey()), end.motors()) : List.of();
+            appendOutlines(extra, body, end.pose(),
                     "stroke=\"" + colour + "\" stroke-width=\"4\" fill=\"" + colour + "\" fill-opacity=\"0.25\"");
-            appendNose(extra, last.get(path.getKey()), colour);
+            appendNose(extra, end.pose(), colour);
         }
         extra.append("</g>\n");
-        int end = world.svg().lastIndexOf("</svg>");
-        int at = end < 0 ? closingTag(world.svg()) : end;
+        int tag = world.svg().lastIndexOf("</svg>");
+        int at = tag < 0 ? closingTag(world.svg()) : tag;
         return world.svg().substring(0, at) + extra + world.svg().substring(at);
     }
 

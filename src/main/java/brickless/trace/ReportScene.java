@@ -1,8 +1,10 @@
 package brickless.trace;
 
+import brickless.units.Angles;
 import brickless.world.Obstacle;
 import brickless.world.Point2;
 import brickless.world.RobotModel;
+import brickless.world.RobotModel.Claw;
 import brickless.world.World;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -34,7 +36,16 @@ public record ReportScene(World world, Map<String, RobotModel> robots) {
         line.text("name", name).text("svg", model.svg()).raw("outlines", outlines(model.chassis()));
         line.objects("turrets", model.turrets(), (turret, fields) -> fields.text("id", turret.id())
                 .text("port", String.valueOf((char) ('A' + turret.port()))).raw("pivot", point(turret.pivot()))
-                .number("ratio", (turret.inverted() ? -1 : 1) / turret.gearRatio(), 6));
+                .number("ratio", RobotOutline.turnsPerMotorTurn(turret), 6));
+        line.objects("claws", model.claws(), ReportScene::claw);
+    }
+
+    private static void claw(Claw claw, JsonLine line) {
+        int sign = claw.inverted() ? -1 : 1;
+        line.text("id", claw.id()).text("port", String.valueOf((char) ('A' + claw.port()))).raw("pivot", point(claw.pivot()))
+                .number("open", sign * claw.minDegrees(), 2).number("closed", sign * claw.maxDegrees(), 2);
+        line.objects("jaws", Jaw.of(claw), (jaw, fields) -> fields.number("side", jaw.side(), 0).raw("hinge", point(jaw.hinge()))
+                .number("degrees", Angles.degreesFromRadians(jaw.closedRadians()), 2));
     }
 
     private static String outlines(List<List<Point2>> outlines) {

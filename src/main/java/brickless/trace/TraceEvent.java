@@ -96,6 +96,17 @@ public sealed interface TraceEvent {
         }
     }
 
+    /** From here on samples have a sensor's values in this mode; port 1 to 4, LEGO's name of the mode. */
+    record ModeEvent(int port, String kind, String mode) implements TraceEvent {
+        @Override public String type() {
+            return "mode";
+        }
+
+        @Override public void write(JsonLine line) {
+            line.integer("port", port).text("kind", kind).text("mode", mode);
+        }
+    }
+
     /** The robot and something else touched after having been apart; speed in metres per second at which they closed in. */
     record CollisionEvent(String other, double speed) implements TraceEvent {
         @Override public String type() {

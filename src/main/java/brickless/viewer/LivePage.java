@@ -15,7 +15,7 @@ final class LivePage {
     private static final List<String> STYLES = paths(List.of("theme.css", "layout.css", "brick.css", "tracks.css"), List.of("live.css", "hands.css"));
     /** Scripts in the order they are joined: those behind may use those before. */
     private static final List<String> SCRIPTS = paths(
-            List.of("recording.js", "screen.js", "behaviours.js", "dom.js", "widgets.js", "drawing.js", "arena.js", "brick.js", "tracks.js", "plots.js",
+            List.of("recording.js", "sensors.js", "screen.js", "behaviours.js", "dom.js", "widgets.js", "drawing.js", "arena.js", "brick.js", "tracks.js", "plots.js",
                     "timeline.js", "listing.js", "events.js", "figures.js"),
             List.of("live-recording.js", "link.js", "hold.js", "sensing.js", "live-arena.js", "hands.js", "live-brick.js", "loudspeaker.js", "live-tracks.js",
                     "live-lists.js", "tools.js", "controls.js", "notices.js", "live.js"));

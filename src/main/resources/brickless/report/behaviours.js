@@ -3,6 +3,11 @@
 /** An action that went on longer than this after it was told to stop ignored suppress(). */
 const SLOW_SECONDS = 1;
 
+/** a.b.Robot$Cruise → Cruise; a.b.Robot$1, which has no name of its own → Robot$1 */
+function simpleName(className) {
+  return className.replace(/^.*[.$](?=[^\d.$][^.$]*$|[^.$]+\$\d+$)/, '');
+}
+
 class Arbitration {
   /** Every arbitrator that a robot's program made. */
   static all(robot, end) {
@@ -12,7 +17,7 @@ class Arbitration {
   constructor(robot, created, end) {
     this.robot = robot;
     this.number = created.arbitrator;
-    this.names = created.behaviours.map((name) => name.slice(name.lastIndexOf('.') + 1));
+    this.names = created.behaviours.map(simpleName);
     this.active = [];
     this.wanted = [];
     this.givings = [];

@@ -81,8 +81,7 @@ class Brick {
       setText(cell.value, motor ? `${number(motor.tacho[sample])}°` : '–');
     }
     for (const cell of this.sensorCells) {
-      const values = this.sensorsAt(cell.port).flatMap((sensor) => sensor.values.map((column) => column[sample])).filter(Number.isFinite);
-      setText(cell.value, values.length > 0 ? values.slice(0, 3).map((value) => number(value, Number.isInteger(value) ? 0 : 1)).join(' ') : '–');
+      setText(cell.value, this.sensorsAt(cell.port).map((sensor) => sensorText(sensor, sample, time)).find((text) => text) || '–');
     }
     this.showLeds(time);
     this.showKeys(time);

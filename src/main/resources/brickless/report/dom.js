@@ -51,6 +51,12 @@ function period(seconds) {
   return seconds < 1 ? `${Math.round(seconds * 1000)} ms` : seconds < 100 ? `${seconds.toFixed(2)} s` : `${Math.round(seconds)} s`;
 }
 
+/** A CSS colour as a canvas takes it: variables of the theme resolved. */
+function cssColour(colour) {
+  const variable = /^var\((.*)\)$/.exec(colour);
+  return variable ? themeColour(variable[1]) : colour;
+}
+
 function themeColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }

@@ -157,7 +157,22 @@ class WorldDrawing {
   }
 }
 
-/** A robot's drawing at a pose, turrets turned by their motors; its collision outline if the drawing cannot be shown. */
+/** Parts of a claw's drawing that lie on one side of its middle, with the jaw that moves them. */
+function jawParts(container, claw, node) {
+  const parts = node.children.length > 0 ? [...node.children] : [node];
+  return parts.filter((part) => part.getBBox).flatMap((part) => {
+    const box = part.getBBox();
+    const toRobot = matrixWithin(container, part, true);
+    const offsets = [0, 1, 2, 3].map((i) => new DOMPoint(box.x + (i & 1) * box.width, box.y + (i >> 1) * box.height)
+      .matrixTransform(toRobot).y - claw.pivot[1]);
+    const side = offsets.every((y) => y <= 0.01) ? -1 : offsets.every((y) => y >= -0.01) ? 1 : 0;
+    const jaw = claw.jaws.find((one) => one.side === side);
+    const group = matrixWithin(container, part, false);
+    return jaw && box.width > 0 ? [{jaw, node: part, group, inverse: group.inverse(), own: part.getAttribute('transform') || ''}] : [];
+  });
+}
+
+/** A robot's drawing at a pose, turrets and jaws moved by their motors; its collision outline if the drawing cannot be shown. */
 class RobotDrawing {
   constructor(stage, bounds, robot) {
     this.layer = new Layer(stage, bounds, 'robot');
@@ -166,14 +181,18 @@ class RobotDrawing {
     this.layer.root.append(this.group);
     const drawing = robot.scene ? parseDrawing(robot.scene.svg) : null;
     this.turrets = [];
+    this.claws = [];
     if (drawing) {
       const named = namedElements(drawing, robot.scene.svg);
       disarm(drawing);
-      this.group.append(svg('g', {}, ...drawing.childNodes));
+      const container = svg('g', {}, ...drawing.childNodes);
+      this.group.append(container);
       this.turrets = robot.scene.turrets.filter((turret) => named.has(turret.id)).map((turret) => {
         const node = named.get(turret.id);
         return {...turret, node, own: node.getAttribute('transform') || '', motor: robot.motors.find((motor) => motor.port === turret.port)};
       });
+      this.claws = robot.scene.claws.filter((claw) => named.has(claw.id)).map((claw) => ({...claw,
+        parts: jawParts(container, claw, named.get(claw.id)), motor: robot.motors.find((motor) => motor.port === claw.port)}));
     } else if (robot.scene) {
       this.group.append(svg('g', {fill: '#cfd6dd', stroke: '#3c434b', 'stroke-width': 3},
         ...robot.scene.outlines.map((ring) => svg('polygon', {points: ring.map((point) => point.join(',')).join(' ')}))));
@@ -186,6 +205,9 @@ class RobotDrawing {
       const tacho = turret.motor ? turret.motor.tacho[sample] : NaN;
       this.turn(turret, Number.isFinite(tacho) ? tacho * turret.ratio : 0);
     }
+    for (const claw of this.claws) {
+      this.close(claw, claw.motor ? claw.motor.tacho[sample] : NaN);
+    }
   }
 
   place(pose) {
@@ -194,5 +216,15 @@ class RobotDrawing {
 
   turn(turret, degrees) {
     turret.node.setAttribute('transform', `rotate(${degrees} ${turret.pivot.join(' ')}) ${turret.own}`);
+  }
+
+  /** Shows a claw as far closed as its motor has turned. */
+  close(claw, degrees) {
+    const closed = Number.isFinite(degrees) ? Math.max(0, Math.min(1, (degrees - claw.open) / (claw.closed - claw.open))) : 0;
+    for (const part of claw.parts) {
+      const [x, y] = part.jaw.hinge;
+      const swung = new DOMMatrix().translate(x, y).rotate(closed * part.jaw.degrees).translate(-x, -y);
+      part.node.setAttribute('transform', `${matrixText(part.inverse.multiply(swung).multiply(part.group))} ${part.own}`);
+    }
   }
 }

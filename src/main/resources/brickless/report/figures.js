@@ -6,7 +6,9 @@ function outcomeOf(recording) {
   const end = recording.events.find((event) => event.type === 'end');
   const outcome = end ? end.outcome : 'unknown';
   const failed = !GOOD_OUTCOMES.includes(outcome) || (outcome === 'exited' && end.exitStatus !== 0);
-  return {text: outcome === 'exited' && end.exitStatus !== 0 ? `exited with ${end.exitStatus}` : outcome, failed};
+  const {goal, passed} = recording.summary || {};
+  const missed = !failed && goal && !passed ? `, missed ${goal === 'exit' ? 'its exit' : goal.replace(':', ' ')}` : '';
+  return {text: `${outcome}${outcome === 'exited' && end.exitStatus !== 0 ? ` with ${end.exitStatus}` : ''}${missed}`, failed: failed || Boolean(missed)};
 }
 
 function figure(name, value, unit) {

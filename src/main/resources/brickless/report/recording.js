@@ -115,6 +115,7 @@ class RecordedRobot {
       port: sensor.port,
       kind: sensor.kind,
       values: sensor.values.map(column),
+      modes: sensorModes(events, sensor.port, sensor.kind),
     }));
     this.log = new EventLog(events);
     this.screen = new ScreenHistory(this.log.ofType('screen'));

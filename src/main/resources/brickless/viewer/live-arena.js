@@ -103,6 +103,12 @@ class LiveArena extends Arena {
         drawing.turn(turret, part.degrees);
       }
     }
+    for (const claw of drawing.claws) {
+      const part = parts.find((one) => one.id === claw.id);
+      if (part) {
+        drawing.close(claw, part.degrees);
+      }
+    }
   }
 
   /** Takes what a person did to the arena. */

@@ -29,6 +29,7 @@ class LiveScreen {
 class LiveRobot extends RecordedRobot {
   constructor(data, times, scene, events) {
     super(data, times, scene, events.filter((event) => event.type !== 'screen'));
+    this.modes = events.filter((event) => event.type === 'mode');
     this.screen = new LiveScreen(events.filter((event) => event.type === 'screen'));
     this.heading = Array.from(this.heading);
     this.volts = Array.from(this.volts);
@@ -67,10 +68,22 @@ class LiveRobot extends RecordedRobot {
     return added;
   }
 
+  /** A sensor went into a mode; true if it had not been in that one before. */
+  changeMode(event) {
+    this.modes.push(event);
+    const known = this.sensors.find((one) => one.port === event.port && one.kind === event.kind);
+    if (!known) {
+      return false;
+    }
+    const before = known.modes.some((one) => one.mode === event.mode);
+    known.modes.push(event);
+    return !before;
+  }
+
   growSensor(index, sample) {
     let known = this.sensors.find((one) => one.port === sample.port && one.kind === sample.kind);
     if (!known) {
-      known = {port: sample.port, kind: sample.kind, values: []};
+      known = {port: sample.port, kind: sample.kind, values: [], modes: sensorModes(this.modes, sample.port, sample.kind)};
       insert(this.sensors, known);
     }
     const before = known.values.length;
@@ -126,7 +139,7 @@ class LiveRecording extends Recording {
     return line.robots.map((sample) => this.robot(sample.name).grow(index, sample)).some(Boolean);
   }
 
-  /** Takes the next event; true if a robot has an arbitrator more. */
+  /** Takes the next event; true if there is something to plot or to list that there was not before. */
   happened(event) {
     const robot = this.robot(event.robot);
     if (event.type === 'screen') {
@@ -145,6 +158,9 @@ class LiveRecording extends Recording {
       return false;
     }
     robot.log.add(event);
+    if (event.type === 'mode') {
+      return robot.changeMode(event);
+    }
     if (event.type === 'arbitrator') {
       this.arbitrations.push(new Arbitration(robot, event, event.t));
       return true;

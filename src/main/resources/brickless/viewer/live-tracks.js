@@ -48,7 +48,11 @@ class LivePlots extends Plots {
   /** `chosen` remembers which signals a person has switched on or off, by id. */
   constructor(host, recording, robot, group, chosen) {
     super(host, recording, robot, group);
+    this.robot = robot;
     this.plots.forEach((plot, i) => {
+      plot.series.forEach((series) => {
+        series.values = Array.isArray(series.values) ? series.values : Array.from(series.values);
+      });
       const chip = this.chips.children[i];
       if (chosen.has(plot.id) && chosen.get(plot.id) !== plot.on) {
         chip.click();
@@ -57,16 +61,37 @@ class LivePlots extends Plots {
     });
   }
 
-  /** Takes the newest sample into the scales. */
+  /** Takes the newest sample; false if it holds a quantity that has no plot yet. */
   grow() {
     const index = this.recording.times.length - 1;
+    const known = this.robot.sensors.map((sensor) => this.growSensor(sensor, index)).every(Boolean);
     for (const plot of this.plots) {
       const {range} = plot;
       const values = plot.series.map((series) => series.values[index]).filter(Number.isFinite);
-      plot.places = Math.max(plot.places, plot.unit === 'raw' && values.some((value) => !Number.isInteger(value)) ? 1 : 0);
       if (range.least === undefined || values.some((value) => value < range.least || value > range.most)) {
         plot.range = this.range(plot);
       }
     }
+    return known;
+  }
+
+  growSensor(sensor, index) {
+    const title = sensorTitle(sensor);
+    this.plots.filter((plot) => plot.title === title).forEach((plot) => plot.series.forEach((series) => {
+      series.values[index] = NaN;
+    }));
+    const mode = modeAt(sensor, this.recording.times[index]);
+    return sensor.values.map((values, i) => ({one: sensorQuantity(sensor.kind, mode, i), value: values[index]}))
+      .filter(({value}) => Number.isFinite(value))
+      .every(({one, value}) => this.growQuantity(title, one, one.of(value), index));
+  }
+
+  growQuantity(title, one, value, index) {
+    const plot = this.plots.find((other) => other.title === title && other.what === one.what);
+    const series = plot && plot.series.find((other) => other.name === (one.name || ''));
+    if (series) {
+      series.values[index] = value;
+    }
+    return Boolean(series);
   }
 }

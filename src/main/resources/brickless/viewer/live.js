@@ -108,21 +108,19 @@ class LiveView {
   }
 
   sample(line) {
-    if (this.recording.sample(line)) {
+    if (this.recording.sample(line) || !this.plots.grow()) {
       this.robotPanels();
-    } else {
-      this.plots.grow();
     }
     this.schedule();
   }
 
   happened(events) {
-    const arbitrators = events.map((event) => this.recording.happened(event)).includes(true);
+    const added = events.map((event) => this.recording.happened(event)).includes(true);
     this.lists.happened(events);
     events.filter((event) => event.type === 'stimulus').forEach((event) => this.arena.touched(event.do));
     const {speed, rate} = this.controls.state;
     this.loudspeaker.play(events.filter((event) => event.type === 'sound' && event.robot === this.robot.name), speed === 'max' ? Math.max(1, rate) : speed);
-    if (arbitrators) {
+    if (added) {
       this.robotPanels();
     }
     this.schedule();

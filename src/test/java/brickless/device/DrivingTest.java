@@ -169,6 +169,17 @@ class DrivingTest {
         assertThat(bench.devices.battery().voltageVolts()).isEqualTo(resting);
     }
 
+    @Test void batterySagsByATenthToAFifthOfAnOhm() {
+        RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
+        assertThat(bench.devices.battery().voltageVolts()).as("typical reading").isCloseTo(8.2f, withPercentage(1));
+        float resting = bench.devices.battery().voltageVolts();
+        float idle = bench.devices.battery().batteryCurrentAmperes();
+        bench.drive(100, 100);
+        bench.runMillis(20);
+        float drawn = bench.devices.battery().batteryCurrentAmperes() - idle;
+        assertThat((resting - bench.devices.battery().voltageVolts()) / drawn).isBetween(0.1f, 0.2f);
+    }
+
     @Test void emptierBatteryDrivesSlower() {
         RobotBench full = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         RobotBench empty = RobotBench.real(TestWorlds.with(), TestWorlds.educator());

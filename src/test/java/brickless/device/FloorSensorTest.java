@@ -8,6 +8,7 @@ import brickless.device.sensor.FloorColour;
 import brickless.world.Lamp;
 import brickless.world.Paint;
 import brickless.world.Point2;
+import brickless.world.Pose2;
 import brickless.world.Region;
 import brickless.world.Rgb;
 import brickless.world.SensorType;
@@ -70,6 +71,31 @@ class FloorSensorTest {
                 SensorBench.paint(BLACK, -1, 0, 1, 1));
         sensor.port.uart().initialise(REFLECT);
         assertThat((int) sensor.bytes(1)[0]).isBetween(30, 52);
+    }
+
+    /** The spot is 1 cm wide at a height of 8 mm: that far apart are pure white and pure black around an edge of tape. */
+    @Test void spotIsACentimetreWide() {
+        SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE),
+                SensorBench.paint(0, 0.06, -1, 1, 1));
+        sensor.port.uart().initialise(REFLECT);
+        int between = 0;
+        int before = 100;
+        for (int step = -100; step <= 100; step++) {
+            sensor.bench.arena.move(sensor.bench.robot, new Pose2(0.0001 * step, 0, 0));
+            int percent = sensor.bytes(1)[0];
+            assertThat(percent).as("%d tenths of a millimetre", step).isLessThanOrEqualTo(before).isBetween(5, 78);
+            between += percent > 5 && percent < 78 ? 1 : 0;
+            before = percent;
+        }
+        assertThat(between / 10.0).as("millimetres").isBetween(8.0, 10.5);
+    }
+
+    @Test void rawColoursStayWithinTheirRange() {
+        assertThat(Arrays.stream(colour(0xffffff, RGB).shorts(3)).boxed())
+                .allSatisfy(raw -> assertThat(raw).isBetween(0, 1020));
+        int[] reflected = colour(0xffffff, 3).shorts(2);
+        assertThat(reflected[0]).isBetween(0, reflected[1]);
+        assertThat(reflected[1]).isEqualTo(1020);
     }
 
     @Test void higherSensorSeesLess() {

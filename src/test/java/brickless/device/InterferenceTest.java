@@ -81,6 +81,20 @@ class InterferenceTest {
         assertThat(seek(1, 0, TestWorlds.wall("beside", 0.4, 0.1, 0.5, 0.2))[5]).isEqualTo((byte) 50);
     }
 
+    @Test void remoteTellsAllCodesOnAllChannels() {
+        SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED);
+        sensor.port.uart().initialise(2);
+        for (int channel = 1; channel <= 4; channel++) {
+            for (int code = 0; code <= 11; code++) {
+                sensor.bench.devices.remote(channel, code);
+                byte[] expected = new byte[4];
+                expected[channel - 1] = (byte) code;
+                assertThat(sensor.bytes(4)).isEqualTo(expected);
+            }
+            sensor.bench.devices.remote(channel, 0);
+        }
+    }
+
     /** Proximity is 100 at 70 cm for white things; black ones seem a quarter further away. */
     @ParameterizedTest
     @CsvSource({"0.07,10", "0.35,50", "0.56,80", "0.69,99", "0.8,100"})

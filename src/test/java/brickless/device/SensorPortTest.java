@@ -163,6 +163,15 @@ class SensorPortTest {
         assertThat(sensor.shorts(2)[1]).isEqualTo(440);
     }
 
+    @Test void gyroAngleEndsAt32767() {
+        SensorBench sensor = gyro(true);
+        sensor.bench.devices.battery().setOpenVolts(9);
+        sensor.bench.drive(90, -90);
+        sensor.bench.runMillis(100_000);
+        assertThat(sensor.bench.headingDegrees()).isGreaterThan(33_000);
+        assertThat(sensor.shorts(2)[0]).isEqualTo(32_767);
+    }
+
     @Test void realGyroIsAFewDegreesOffButNotMore() {
         SensorBench sensor = gyro(false);
         for (int i = 0; i < 4; i++) {

@@ -11,10 +11,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Reports of made-up runs in a browser of the size of a phone. */
+@Tag("browser")
 class ReportContentTest {
     private static final String NASTY = "</script><img src=x onerror=\"document.body.dataset.hacked=1\">";
     private static final String HOSTILE_WORLD = "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 2000 1000\" "
@@ -73,6 +75,35 @@ class ReportContentTest {
         assertThat(browser.value("document.querySelector('.timeline-now').className")).isEqualTo("timeline-now slow");
         assertThat((String) browser.value("document.querySelector('#list-events').textContent")).contains("Stubborn ignores suppress(): it took 2.50 s to give way")
                 .doesNotContain("Polite ignores");
+    }
+
+    @Test void aGoalThatWasMissedIsInTheHead() throws IOException {
+        String figures = "{\"distanceMetres\":1,\"collisions\":0,\"zones\":[],\"traceHash\":\"0123456789\",\"error\":null%s}";
+        String outcome = "[document.querySelector('.outcome').textContent, document.querySelector('.outcome').className]";
+        browser.open(ended(figures.formatted(",\"goal\":\"zone:home\",\"passed\":false")), "");
+        assertThat(browser.value(outcome)).isEqualTo(List.of("time-limit, missed zone home", "outcome bad"));
+        browser.open(ended(figures.formatted(",\"goal\":\"exit\",\"passed\":false")), "");
+        assertThat(browser.value(outcome)).isEqualTo(List.of("time-limit, missed its exit", "outcome bad"));
+        browser.open(ended(figures.formatted("")), "");
+        assertThat(browser.value(outcome)).isEqualTo(List.of("time-limit", "outcome good"));
+    }
+
+    private static Path ended(String summary) throws IOException {
+        ReportRecording recording = new ReportRecording();
+        SyntheticRun run = new SyntheticRun(recording);
+        run.standing(0);
+        run.at(1_000_000_000, new TraceEvent.EndEvent("time-limit", -1));
+        Path page = folder.resolve("ended.html");
+        try (OutputStream out = Files.newOutputStream(page)) {
+            HtmlReport.write(out, recording, SyntheticRun.scene(), Optional.of(summary));
+        }
+        return page;
+    }
+
+    @Test void nestedBehavioursHaveTheirOwnNames() throws IOException {
+        browser.open(page("names", SyntheticRun.scene(), 0.0, new TraceEvent.ArbitratorEvent(0, List.of("a.b.Robot$Cruise", "a.Turn", "Robot$1", "Stop"))), "");
+        assertThat(browser.value("[...document.querySelectorAll('.lane')].map((lane) => lane.dataset.behaviour)"))
+                .isEqualTo(List.of("Stop", "Robot$1", "Turn", "Cruise"));
     }
 
     @Test void keysLedsAndSoundsAreShownWhileTheyLast() throws IOException {

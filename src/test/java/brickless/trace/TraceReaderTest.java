@@ -33,7 +33,7 @@ class TraceReaderTest {
                 new TraceEvent.PrintEvent("\"quoted\" \\ tab\t newline\n \u2028 € </script> \u0000", true),
                 new TraceEvent.ArbitratorEvent(1, List.of("a.Cruise", "a.Turn$1")), new TraceEvent.BehaviourEvent("wants", 1, -1),
                 new TraceEvent.BehaviourEvent("active", 1, 0), new TraceEvent.BehaviourEvent("suppressed", 1, 1),
-                new TraceEvent.CollisionEvent("crate", 0.125), new TraceEvent.FallEvent(), new TraceEvent.ZoneEvent("goal", false),
+                new TraceEvent.ModeEvent(4, "ev3-ultrasonic", "US-DIST-CM"), new TraceEvent.CollisionEvent("crate", 0.125), new TraceEvent.FallEvent(), new TraceEvent.ZoneEvent("goal", false),
                 new TraceEvent.StimulusEvent("move robot 500,300 90"), new TraceEvent.ExceptionEvent("Thread-1", "java.lang.Error: no"), END);
     }
 

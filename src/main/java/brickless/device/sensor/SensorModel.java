@@ -66,6 +66,11 @@ abstract class SensorModel {
         return Optional.empty();
     }
 
+    /** LEGO's name of the present mode, for traces; empty for devices without modes and while it sends nothing. */
+    String modeName() {
+        return "";
+    }
+
     /** Follows the arena; called after every step. */
     void afterStep(long nowNanos) {
         // Most devices look only when asked.

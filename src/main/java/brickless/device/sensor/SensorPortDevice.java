@@ -125,6 +125,13 @@ public final class SensorPortDevice implements SensorSocket {
         }
     }
 
+    /** LEGO's name of the mode that {@link #reading} is in, for traces; empty for devices without modes. */
+    public String modeName() {
+        synchronized (lock()) {
+            return sensor == null ? "" : sensor.modeName();
+        }
+    }
+
     @Override public Wiring wiring() {
         return sensor == null ? Wiring.NONE : sensor.wiring();
     }

@@ -72,6 +72,10 @@ abstract class UartSensor extends SensorModel {
         return values;
     }
 
+    @Override final String modeName() {
+        return mode == DARK ? "" : modes[mode].name();
+    }
+
     static void putShort(byte[] out, int index, int value) {
         out[2 * index] = (byte) value;
         out[2 * index + 1] = (byte) (value >> 8);

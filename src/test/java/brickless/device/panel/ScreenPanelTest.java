@@ -63,6 +63,13 @@ class ScreenPanelTest {
     }
 
     @Test
+    void screenHas178By128DotsOfOneBit() {
+        assertThat(ScreenSocket.WIDTH).isEqualTo(178);
+        assertThat(ScreenSocket.HEIGHT).isEqualTo(128);
+        assertThat(ScreenSocket.ROW_BYTES).isEqualTo((178 + 7) / 8);
+    }
+
+    @Test
     void pngShowsEveryDotTwiceAsLargeInsideItsMargin() throws IOException {
         byte[] picture = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
         int[][] dots = {{0, 0}, {177, 0}, {9, 64}, {0, 127}, {177, 127}};
