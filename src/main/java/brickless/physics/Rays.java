@@ -14,7 +14,6 @@ final class Rays implements TreeRayCastCallback {
     private static final float GO_ON = -1;
 
     private final LeanWorld world;
-    private final SineCosine direction = new SineCosine();
     private final RayCastInput input = new RayCastInput();
     private final RayCastOutput output = new RayCastOutput();
     private final Vec2 bestNormal = new Vec2();
@@ -28,9 +27,8 @@ final class Rays implements TreeRayCastCallback {
     }
 
     void cast(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, Solid own, RayHit out) {
-        direction.of(aim.headingRadians + turnRadians);
-        double cos = direction.cos();
-        double sin = direction.sin();
+        double cos = StrictMath.cos(aim.headingRadians + turnRadians);
+        double sin = StrictMath.sin(aim.headingRadians + turnRadians);
         input.p1.set(Decimetres.of(aim.x), Decimetres.of(aim.y));
         input.p2.set(Decimetres.of(aim.x + cos * reachMetres), Decimetres.of(aim.y + sin * reachMetres));
         input.maxFraction = 1;

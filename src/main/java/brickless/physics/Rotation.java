@@ -3,22 +3,24 @@ package brickless.physics;
 /** Sine and cosine of a body's angle, computed once for every angle: a robot that drives turns, solves, and looks with the same ones. */
 final class Rotation {
     private float angle = Float.NaN;
-    private final SineCosine trigonometry = new SineCosine();
+    private double cos;
+    private double sin;
 
     /** Makes this the rotation by an angle in radians. */
     Rotation to(float radians) {
         if (radians != angle) {
             angle = radians;
-            trigonometry.of(radians);
+            cos = StrictMath.cos(radians);
+            sin = StrictMath.sin(radians);
         }
         return this;
     }
 
     double cos() {
-        return trigonometry.cos();
+        return cos;
     }
 
     double sin() {
-        return trigonometry.sin();
+        return sin;
     }
 }
