@@ -4,7 +4,7 @@ package brickless.hardware;
  * One regulated move.
  *
  * @param speedDegreesPerSecond requested speed, 0 or more; 0 means: stop with the given deceleration
- * @param accelerationDegreesPerSecondSquared acceleration of all ramps, above 0
+ * @param accelerationDegreesPerSecondSquared acceleration of all ramps; less than 1 counts as 1
  * @param limitDegrees absolute target angle in the hardware frame, or ±{@link MotorRegulation#NO_LIMIT}
  * @param hold whether the position is held actively at the end; otherwise the motor coasts
  */

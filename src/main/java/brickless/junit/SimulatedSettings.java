@@ -60,7 +60,7 @@ final class SimulatedSettings {
             SimulationSettings.Builder builder = SimulationSettings.builder(world(world)).worldFile(isDrawing(world)
                     ? "" : world)
                     .seed(seed.orElse(first(Simulated::seed, value -> value != Simulated.NO_SEED, 1L)))
-                    .limit(Duration.ofSeconds(first(Simulated::seconds, value -> value != 0, DEFAULT_SECONDS)))
+                    .limit(limit())
                     .ideal(annotations.stream().anyMatch(Simulated::ideal)).pressButtons(pressButtons())
                     .stimuli(StimuliReader.readText("stimuli of " + test, String.join("\n", stimuli())))
                     .out(Optional.of(out));
@@ -72,6 +72,14 @@ final class SimulatedSettings {
         } catch (DescriptionException e) {
             throw new ExtensionConfigurationException(e.getMessage(), e);
         }
+    }
+
+    private Duration limit() {
+        int seconds = first(Simulated::seconds, value -> value != 0, DEFAULT_SECONDS);
+        if (seconds < 0) {
+            throw new ExtensionConfigurationException("@Simulated: " + seconds + " seconds; a limit is above zero");
+        }
+        return Duration.ofSeconds(seconds);
     }
 
     private boolean pressButtons() {

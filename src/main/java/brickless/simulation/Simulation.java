@@ -2,6 +2,7 @@ package brickless.simulation;
 
 import brickless.program.Program;
 import brickless.trace.TraceListener;
+import java.lang.reflect.Modifier;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -50,9 +51,24 @@ public final class Simulation {
         return new Simulation(settings.toBuilder().seed(seed).out(out).build(), started);
     }
 
-    /** Starts the main method of a class of this JVM's class path; it stands still before its first instruction. */
+    /**
+     * Starts the main method of a class of this JVM's class path; it stands still before its first instruction.
+     *
+     * @throws SetupException if it has none, or program, world and robot do not fit together
+     */
     public Run start(Class<?> mainClass) {
+        if (!hasMain(mainClass)) {
+            throw new SetupException(mainClass.getName() + ": has no method public static void main(String[])");
+        }
         return start(Program.onClassPath(mainClass.getName()));
+    }
+
+    private static boolean hasMain(Class<?> type) {
+        try {
+            return Modifier.isStatic(type.getMethod("main", String[].class).getModifiers());
+        } catch (NoSuchMethodException e) {
+            return false;
+        }
     }
 
     /**

@@ -73,7 +73,7 @@ final class Stage {
     /** Everybody has entered. */
     void begin() {
         stimulator.drive(robots);
-        sample();
+        sample(0);
     }
 
     long stepNanos() {
@@ -113,12 +113,13 @@ final class Stage {
             robots.get(i).afterStep(timeNanos);
         }
         if (timeNanos % SAMPLE_NANOS == 0) {
-            sample();
+            sample(timeNanos);
         }
     }
 
-    private void sample() {
-        recorder.sample(new Sample(now, robots.stream().map(robot -> robot.sample(now)).toList(), bodies()));
+    /** Records the state after the last step; programs may have got a little further since. */
+    private void sample(long timeNanos) {
+        recorder.sample(new Sample(timeNanos, robots.stream().map(robot -> robot.sample(now)).toList(), bodies()));
     }
 
     /** Where everything is now. */
@@ -156,7 +157,7 @@ final class Stage {
         double wallSeconds = wallClock.elapsedSeconds();
         robots.forEach(RobotSession::finish);
         if (now % SAMPLE_NANOS != 0) {
-            sample();
+            sample(Math.max(now, outcome.timeNanos()));
         }
         recorder.event(outcome.timeNanos(), robots.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         String hash = recorder.finish();

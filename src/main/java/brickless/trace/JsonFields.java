@@ -99,6 +99,11 @@ public final class JsonFields {
         return of(name, String.class, "a string", values.get(name));
     }
 
+    /** An object. */
+    public JsonFields object(String name) {
+        return of(name, JsonFields.class, "an object", values.get(name));
+    }
+
     /** A whole number. */
     public long integer(String name) {
         return of(name, Long.class, "a whole number", values.get(name));

@@ -108,10 +108,9 @@ final class Driver implements Runnable {
     void perform(Command command) {
         if (command instanceof Command.Pause) {
             playing = false;
-        } else if (command instanceof Command.Play && !playing) {
+        } else if (command instanceof Command.Play) {
             session.refuseIfEnded();
-            playing = true;
-            pacer.restart(System.nanoTime(), session.nowNanos());
+            play();
         } else if (command instanceof Command.Step step) {
             session.refuseIfEnded();
             playing = false;
@@ -128,6 +127,13 @@ final class Driver implements Runnable {
         message = Optional.empty();
         tellNews();
         tellState();
+    }
+
+    private void play() {
+        if (!playing) {
+            playing = true;
+            pacer.restart(System.nanoTime(), session.nowNanos());
+        }
     }
 
     /** Whoever touches a run that is held wants to see it. */

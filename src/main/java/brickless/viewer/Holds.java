@@ -14,12 +14,14 @@ final class Holds {
 
     private final Map<String, Set<Integer>> hands = new LinkedHashMap<>();
 
-    /** A viewer takes hold; true if nobody else held it. */
-    boolean take(String what, int viewer) {
-        Set<Integer> holders = hands.computeIfAbsent(what, key -> new LinkedHashSet<>());
-        boolean first = holders.isEmpty();
-        holders.add(viewer);
-        return first;
+    /** Whether anybody holds it. */
+    boolean held(String what) {
+        return hands.containsKey(what);
+    }
+
+    /** A viewer takes hold. */
+    void take(String what, int viewer) {
+        hands.computeIfAbsent(what, key -> new LinkedHashSet<>()).add(viewer);
     }
 
     /** A viewer lets go; true if it was the last that held it. */

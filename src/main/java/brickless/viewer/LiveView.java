@@ -106,16 +106,22 @@ public final class LiveView implements AutoCloseable {
         files.shutdownNow();
         driver.submit(driver::stop);
         boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
+        while (!ended()) {
+            interrupted |= Thread.interrupted();
         }
         server.stop();
         if (interrupted) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private boolean ended() {
+        try {
+            thread.join();
+            return files.awaitTermination(1, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
         }
     }
 }

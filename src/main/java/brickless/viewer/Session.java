@@ -91,10 +91,10 @@ final class Session {
         String other = hold.robot().isEmpty() || hold.robot().equals(run.robot().name()) ? "" : " on " + hold.robot();
         String what = hold.what() + other;
         if (hold.down()) {
-            touches.read("hold " + what, nowNanos(), run.step().toNanos());
-            if (holds.take(what, hold.viewer())) {
+            if (!holds.held(what)) {
                 touch("hold " + what);
             }
+            holds.take(what, hold.viewer());
         } else if (holds.letGo(what, hold.viewer())) {
             touch("release " + what);
         }

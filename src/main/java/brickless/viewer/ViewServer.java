@@ -84,13 +84,18 @@ final class ViewServer {
     /** Sends what is still to be sent, for a moment, and closes everything. The driver must have ended. */
     void stop() {
         threads.shutdown();
+        awaitThreads();
+        server.stop(0);
+        threads.shutdownNow();
+        awaitThreads();
+    }
+
+    private void awaitThreads() {
         try {
             threads.awaitTermination(FAREWELL.toMillis(), TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        server.stop(0);
-        threads.shutdownNow();
     }
 
     private void handle(HttpExchange exchange) throws IOException {

@@ -44,7 +44,7 @@ class Controls {
 
   /** Says what runs. */
   begin(data) {
-    const name = data.program || data.header.main;
+    const name = data.header.main;
     setText(this.title, name.slice(name.lastIndexOf('.') + 1));
     this.title.title = data.header.main;
     document.title = `${this.title.textContent} · Brickless live`;

@@ -128,6 +128,7 @@ class LiveView {
 
   frame(frame) {
     this.pendingFrame = frame;
+    this.holds.tick(frame.t);
     this.schedule();
   }
 

@@ -10,10 +10,12 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Keys;
+import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.interactions.Actions;
 
 /** Chromium without a window, as Debian packages it. A machine without it fails the test: what a page shows cannot be checked there. */
 public final class Browser implements AutoCloseable {
@@ -51,6 +53,18 @@ public final class Browser implements AutoCloseable {
         assertThat(driver.executeAsyncScript(AWAIT_OPEN)).as("state of the page").isEqualTo("ready");
     }
 
+    /** Goes to an address and waits until the page shows its run. */
+    public void visit(String address) {
+        load(address);
+        assertThat(driver.executeAsyncScript(AWAIT_OPEN)).as("state of the page").isEqualTo("ready");
+    }
+
+    /** Goes to an address, whatever is there. */
+    public void load(String address) {
+        driver.get("about:blank");
+        driver.get(address);
+    }
+
     /** Value of an expression in the page. */
     public Object value(String expression) {
         return driver.executeScript("return " + expression);
@@ -71,6 +85,21 @@ public final class Browser implements AutoCloseable {
         WebElement element = driver.findElement(By.cssSelector(selector));
         driver.executeScript("arguments[0].scrollIntoView({block: 'center'})", element);
         element.click();
+    }
+
+    /** Does what people do with mouse and keyboard. */
+    public Actions hands() {
+        return new Actions(driver);
+    }
+
+    /** The first element that a selector finds. */
+    public WebElement element(String selector) {
+        return driver.findElement(By.cssSelector(selector));
+    }
+
+    /** A picture of what is in view, PNG. */
+    public byte[] picture() {
+        return driver.getScreenshotAs(OutputType.BYTES);
     }
 
     /** Presses keys while the page itself has the focus. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -82,6 +83,18 @@ class SimulatedTest {
         try (Stream<Path> files = Files.walk(tests.runs())) {
             assertThat(files.filter(file -> file.toString().endsWith(".part")))
                     .as("files of runs that were not finished").isEmpty();
+        }
+    }
+
+    @Test void oneAfterTheOtherTheRunsAreTheSame(@TempDir Path other) throws Exception {
+        try (CompiledTests alone = CompiledTests.of(other, Map.of("cases.RunCases",
+                CompiledTests.resource("RunCases.java.txt")))) {
+            alone.run(false, "cases.RunCases");
+            for (String run : List.of("methodBeforeClass", "inlineWorld", "severalRuns-2", "expectsInVain", "expectsAlways",
+                    "expectsNever")) {
+                Path trace = Path.of("cases.RunCases." + run, "trace.jsonl");
+                assertThat(alone.runs().resolve(trace)).as(run).hasSameBinaryContentAs(tests.runs().resolve(trace));
+            }
         }
     }
 

@@ -23,7 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The programs in {@code programs.fitted}, written as people write them, drive without a robot file as their authors meant. Each is compiled
- * from its sources, as the command line does.
+ * from its sources, as the command line does. A pilot whose left wheel has the negative offset turns to the right for positive angles, as on
+ * the brick.
  */
 class FittedRobotsTest {
     private static final Path PROGRAMS = Path.of(System.getProperty("brickless.home"), "src", "test", "java", "programs", "fitted");
@@ -56,21 +57,21 @@ class FittedRobotsTest {
             new Meant("diffpilot", List.of("left wheel on C (large motor, 57.2 mm)", "right wheel on B (large motor, 57.2 mm)", "track 140 mm"),
                     0.762, 0.508, 0.254, 90, ""),
             new Meant("movepilot", List.of("left wheel on D (large motor, 43.2 mm)", "right wheel on A", "track 160 mm", "ev3-ultrasonic on S2"),
-                    0.5 + 0.47124, 0.8, -0.3, 0, "0.5"),
+                    0.5 + 0.47124, 0.8, 0.3, 0, "0.5"),
             new Meant("millimetres", List.of("left wheel on B (large motor reversed, 81.6 mm, gear 3.00)", "track 140 mm"),
-                    0.7, 0.4, 0.3, 90, ""),
+                    0.7, 0.4, -0.3, -90, ""),
             new Meant("holonomic", List.of("omni wheel on A (medium motor, 48.0 mm)", "omni wheel on B", "omni wheel on C"),
                     0.4, 0.4, 0, 120, ""),
             new Meant("mediums", List.of("left wheel on A (medium motor, 68.8 mm)", "right wheel on B (medium motor, 68.8 mm)"),
                     0.8, 0.4, 0, 0, "0"),
             new Meant("collections", List.of("left wheel on C (large motor, 62.4 mm)", "right wheel on B", "track 128 mm"),
-                    0.9, 0, 0, 180, ""),
+                    0.9, 0, 0, -180, ""),
             new Meant("factories", List.of("left wheel on D (large motor, 43.2 mm)", "right wheel on B", "track 135 mm", "ev3-touch on S1"),
                     0.6, 0.3, 0.3, -90, "0.0"),
             new Meant("subclasses", List.of("left wheel on B (large motor, 43.2 mm)", "right wheel on A", "track 138 mm", "ev3-color on S4"),
-                    0.6, 0.4, 0.2, 90, "white"),
+                    0.6, 0.4, -0.2, -90, "white"),
             new Meant("properties", List.of("left wheel on B (large motor, 49.6 mm)", "right wheel on A", "track 130 mm"),
-                    0.8, 0.4, 0.4, 180, ""),
+                    0.8, 0.4, -0.4, -180, ""),
             new Meant("sensors", List.of("left wheel on B", "right wheel on A", "nxt-ultrasonic on S1", "nxt-light on S2", "ev3-gyro on S3",
                     "nxt-touch on S4"), 1.1, 0, 1.1, 90, "bright"),
             new Meant("owndrivers", List.of("left wheel on B", "right wheel on C", "nxt-ultrasonic on S1", "nxt-touch on S2", "ev3-ultrasonic on S4"),

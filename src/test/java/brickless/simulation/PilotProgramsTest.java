@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Programs that drive by pilots, navigators and localisation, on the whole simulated robot. */
@@ -47,9 +48,9 @@ class PilotProgramsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void squareOfFourMetresCloses(boolean ideal) throws DescriptionException {
-        Run run = run("pilotsquare.PilotSquare", OPEN_FLOOR, ideal, 1);
+    @CsvSource({"true, 1", "false, 1", "false, 2", "false, 3"})
+    void squareOfFourMetresCloses(boolean ideal, long seed) throws DescriptionException {
+        Run run = run("pilotsquare.PilotSquare", OPEN_FLOOR, ideal, seed);
         assertThat(run.robot().distanceMetres()).isCloseTo(4, within(0.05));
         assertThat(run.robot().xMetres()).isCloseTo(1, within(0.04));
         assertThat(run.robot().yMetres()).isCloseTo(1.5, within(0.04));
@@ -119,15 +120,19 @@ class PilotProgramsTest {
         assertThat(run.robot().yMetres()).isCloseTo(1.7, within(0.05));
     }
 
-    @Test void rangeDetectorStopsTheRobotInTime() throws DescriptionException {
-        Run run = run("detectors.RangeStop", WALL_AHEAD, false, 1);
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void rangeDetectorStopsTheRobotInTime(long seed) throws DescriptionException {
+        Run run = run("detectors.RangeStop", WALL_AHEAD, false, seed);
         assertThat(run.robot().printedLines()).singleElement().asString().startsWith("seen at 0.3");
         assertThat(run.collisions()).isZero();
         assertThat(2.0 - run.robot().xMetres() - EAR_METRES).as("distance of the sensor from the wall").isBetween(0.32, 0.40);
     }
 
-    @Test void touchDetectorStopsTheRobotAndItBacksOff() throws DescriptionException {
-        Run run = run("detectors.TouchStop", WALL_AHEAD, false, 1);
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void touchDetectorStopsTheRobotAndItBacksOff(long seed) throws DescriptionException {
+        Run run = run("detectors.TouchStop", WALL_AHEAD, false, seed);
         assertThat(run.robot().printedLines()).containsExactly("touched", "backed off");
         assertThat(2.0 - run.robot().xMetres() - BUMPER_METRES).isCloseTo(0.20, within(0.03));
         assertThat(run.time()).as("it does not push on").isLessThan(Duration.ofSeconds(12));

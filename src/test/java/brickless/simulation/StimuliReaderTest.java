@@ -26,6 +26,20 @@ class StimuliReaderTest {
         assertThat(only("12s battery 6.9V")).isEqualTo(new Stimulus.Battery(12_000_000_000L, 6.9, "battery 6.9V"));
     }
 
+    @Test void whatIsHeldForAnUnknownTimeHasTwoLines() throws DescriptionException {
+        assertThat(only("1s hold key ENTER")).isEqualTo(new Stimulus.Hold(1_000_000_000L, new Stimulus.Key(2), "hold key ENTER"));
+        assertThat(only("2s release push S4")).isEqualTo(new Stimulus.Release(2_000_000_000L, new Stimulus.TouchSensor(3), "release push S4"));
+        assertThat(only("3s hold remote 2 BEACON"))
+                .isEqualTo(new Stimulus.Hold(3_000_000_000L, new Stimulus.RemoteButton(2, 9), "hold remote 2 BEACON"));
+    }
+
+    @Test void aStimulusCanNameItsRobot() throws DescriptionException {
+        Stimulus stimulus = only("1s press ENTER 200ms on yellow");
+        assertThat(stimulus).isEqualTo(new Stimulus.On("yellow", new Stimulus.Press(1_000_000_000L, 2, 200_000_000L, "press ENTER 200ms")));
+        assertThat(stimulus.text()).isEqualTo("press ENTER 200ms on yellow");
+        assertThat(stimulus.atNanos()).isEqualTo(1_000_000_000L);
+    }
+
     @Test void linesAreSortedByTimeAndCommentsSkipped() throws DescriptionException {
         assertThat(StimuliReader.readText("s", "# first\n\n3s clap 70dB\n1s press UP 1s\n")).extracting(Stimulus::atNanos)
                 .containsExactly(1_000_000_000L, 3_000_000_000L);
@@ -41,6 +55,11 @@ class StimuliReaderTest {
         "1s remote 5 BEACON 1s | '5' is no infrared channel",
         "1s clap loud | 'loud' is not a level like 80dB",
         "1s move robot here 90 | 'here 90' is not X,Y DEGREES",
+        "1s hold ENTER | 'hold' needs what to hold",
+        "1s release | 'release' needs what to release",
+        "1s hold key ENTER 1s | 'hold' takes 2 words, found 3",
+        "1s hold push S5 | 'S5' is no sensor port",
+        "1s move robot 1234567,0 0 | '1234567,0 0' is not X,Y DEGREES",
         "1s dance | unknown stimulus 'dance'"})
     void badLinesAreLocated(String line, String message) {
         assertThatThrownBy(() -> StimuliReader.readText("party.txt", "# one\n" + line)).isInstanceOf(DescriptionException.class)

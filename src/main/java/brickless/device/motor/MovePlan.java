@@ -11,6 +11,11 @@ import brickless.hardware.MoveRequest;
  */
 final class MovePlan {
     private static final float MILLIS = 1000;
+    /**
+     * An acceleration of 0 counts as this, degrees per second squared: a holonomic chassis gives it to wheels that are to
+     * stand still.
+     */
+    private static final float LEAST_ACCELERATION = 1;
 
     private final boolean endless;
     private float start;
@@ -49,8 +54,8 @@ final class MovePlan {
     /** Plans a request from position p with velocity u. */
     static MovePlan of(MoveRequest request, float p, float u) {
         float v = request.speedDegreesPerSecond();
-        float a = request.accelerationDegreesPerSecondSquared();
-        if (v == 0) {
+        float a = Math.max(LEAST_ACCELERATION, request.accelerationDegreesPerSecondSquared());
+        if (v == 0 || Float.isNaN(v)) {
             return stop(p, u, a);
         }
         int limit = request.limitDegrees();

@@ -91,7 +91,7 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         if (equals(other) || !other.known() || is(Kind.COUNTER)) {
             return this;
         }
-        if (!known() || other.is(Kind.COUNTER)) {
+        if (!known() || other.is(Kind.COUNTER) || is(Kind.OBJECT)) {
             return other;
         }
         if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.WHEEL) || is(Kind.DEVICE) && Objects.equals(text, other.text))) {

@@ -17,6 +17,7 @@ final class Facts {
     private final Map<String, Axle> wheels = new LinkedHashMap<>();
     private final Map<String, Set<String>> names = new LinkedHashMap<>();
     private final Map<String, Double> numbers = new LinkedHashMap<>();
+    private boolean argumentsArrived;
     private final SortedSet<String> reversed = new TreeSet<>();
 
     /** Adds knowledge about a field, argument, result or object. */
@@ -24,6 +25,18 @@ final class Facts {
         if (clue != null && clue.known()) {
             places.merge(place, clue, Clue::or);
         }
+    }
+
+    /** Adds knowledge about what a method returns, once arguments had time to arrive: what it makes depends on them. */
+    void returned(String method, Clue clue) {
+        if (argumentsArrived) {
+            learn(method, clue);
+        }
+    }
+
+    /** Arguments have arrived where they are used. */
+    void argumentsArrived() {
+        argumentsArrived = true;
     }
 
     Clue at(String place) {

@@ -25,7 +25,9 @@ import org.objectweb.asm.tree.analysis.Frame;
  * still recognised where a motor is made of it. Branches are not decided: what may happen counts.
  */
 public final class HintFinder {
-    private static final int PASSES = 5;
+    private static final int PASSES = 7;
+    /** Passes for arguments alone: how many calls deep they travel before results of methods are believed. */
+    private static final int ARGUMENT_PASSES = 2;
     private static final Set<Integer> STORES = Set.of(Opcodes.ASTORE, Opcodes.ISTORE, Opcodes.FSTORE, Opcodes.DSTORE);
 
     private HintFinder() {}
@@ -41,6 +43,9 @@ public final class HintFinder {
         Facts facts = new Facts();
         classes.forEach(type -> constants(type, facts));
         for (int pass = 0; pass < PASSES; pass++) {
+            if (pass == ARGUMENT_PASSES) {
+                facts.argumentsArrived();
+            }
             for (ClassNode type : classes) {
                 type.methods.forEach(method -> interpret(type, method, facts));
             }

@@ -213,12 +213,12 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         device.ports().forEach(port -> facts.named(device.at(new TreeSet<>(Set.of(port))), own.substring(own.lastIndexOf('/') + 1)));
     }
 
-    /** What a method or class makes at the port it is given, it makes this time at this port. */
+    /** What a method or class makes at the ports it is given, it makes this time at these. */
     private Clue narrowed(Clue answer, List<Clue> arguments) {
         if (answer == null || answer.ports().size() < 2) {
             return answer;
         }
-        return arguments.stream().map(Clue::ports).filter(ports -> ports.size() == 1 && answer.ports().containsAll(ports)).findFirst()
+        return arguments.stream().map(Clue::ports).filter(ports -> !ports.isEmpty() && answer.ports().containsAll(ports)).findFirst()
                 .map(ports -> offset(answer.at(ports), arguments)).orElse(answer);
     }
 
@@ -234,7 +234,7 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
     }
 
     @Override public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {
-        facts.learn(method, resolved(value));
+        facts.returned(method, resolved(value));
     }
 
     @Override public Clue merge(Clue a, Clue b) {

@@ -45,6 +45,26 @@ class MovePlanTest {
         assertThat(plan.target()).isZero();
     }
 
+    @Test void standingStillNeedsNoAcceleration() {
+        MovePlan plan = plan(30, 0, 0, 0, 30);
+        assertThat(plan.empty()).isTrue();
+        assertThat(plan.target()).isEqualTo(30);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0, 360", "5, 0", "NaN, 6000", "NaN, 0"})
+    void withoutAccelerationOrSpeedAPlanStillHasNumbers(float speed, int acceleration) {
+        for (int limit : new int[] {0, 7, 300, ENDLESS, -ENDLESS}) {
+            for (float velocity : new float[] {0, 30}) {
+                MovePlan plan = plan(7, velocity, speed, acceleration, limit);
+                assertThat(plan.position(100)).as("limit %d, velocity %f", limit, velocity).isFinite();
+                assertThat(plan.velocity(100)).isFinite();
+                assertThat(plan.position(1e9)).isFinite();
+            }
+        }
+        assertThat(plan(7, 0, 0, 0, 7).target()).as("at rest").isEqualTo(7);
+    }
+
     @Test void endlessMoveSpeedsUpAndRunsOn() {
         MovePlan plan = plan(0, 0, 360, 6000, ENDLESS);
         assertThat(plan.cruiseMillis()).isEqualTo(60);

