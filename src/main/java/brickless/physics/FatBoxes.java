@@ -22,6 +22,7 @@ final class FatBoxes {
 
     private final LazyTree tree;
     private final BroadPhase broadPhase;
+    private final Rotation rotation = new Rotation();
     private final Transform before = new Transform();
     private final AABB earlier = new AABB();
     private final AABB later = new AABB();
@@ -72,8 +73,9 @@ final class FatBoxes {
 
     /** Does what JBox2D does after each step; returns the least distance of a shape's box from the edge of its fat box. */
     private float update(Body body) {
-        before.q.s = MathUtils.sin(body.m_sweep.a0);
-        before.q.c = MathUtils.cos(body.m_sweep.a0);
+        rotation.to(body.m_sweep.a0);
+        before.q.s = (float) rotation.sin();
+        before.q.c = (float) rotation.cos();
         Vec2 centre = body.m_sweep.localCenter;
         before.p.x = body.m_sweep.c0.x - before.q.c * centre.x + before.q.s * centre.y;
         before.p.y = body.m_sweep.c0.y - before.q.s * centre.x - before.q.c * centre.y;

@@ -20,6 +20,7 @@ import org.jbox2d.common.Vec2;
 final class LazyTree implements BroadPhaseStrategy {
     private final BroadPhaseStrategy tree = new DynamicTree();
     private final Map<Object, Integer> proxies = new IdentityHashMap<>();
+    private int version;
 
     @Override
     public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
@@ -35,7 +36,13 @@ final class LazyTree implements BroadPhaseStrategy {
     public int createProxy(AABB box, Object userData) {
         int proxy = tree.createProxy(box, userData);
         proxies.put(userData, proxy);
+        version++;
         return proxy;
+    }
+
+    /** Changes with every new proxy. */
+    int version() {
+        return version;
     }
 
     /** Number of the proxy with this user data. */

@@ -1,8 +1,12 @@
 package brickless.physics;
 
+import java.util.Arrays;
+import org.jbox2d.callbacks.TreeRayCastCallback;
+import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.Island;
 import org.jbox2d.dynamics.Profile;
 import org.jbox2d.dynamics.TimeStep;
@@ -27,7 +31,10 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
     private final Profile profile = new Profile();
     private final FreeMotion free = new FreeMotion();
     private final FatBoxes boxes;
+    private final LazyTree tree;
     private Body[] stack = new Body[0];
+    private Fixture[] fixtures = new Fixture[0];
+    private int fixturesVersion = -1;
     private float lastInverse;
 
     LeanWorld() {
@@ -36,6 +43,7 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
 
     private LeanWorld(LazyTree tree) {
         super(NO_GRAVITY, new DefaultWorldPool(WORLD_POOL_SIZE, WORLD_POOL_CONTAINER_SIZE), tree);
+        this.tree = tree;
         boxes = new FatBoxes(tree, m_contactManager.m_broadPhase);
         setContinuousPhysics(false);
     }
@@ -57,6 +65,34 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
         m_contactManager.findNewContacts();
         lastInverse = step.inv_dt;
         m_flags &= ~LOCKED;
+    }
+
+    /** Tells about the shapes whose boxes a ray meets, by their proxies' numbers. */
+    void castRay(TreeRayCastCallback callback, RayCastInput ray) {
+        if (fixturesVersion != tree.version()) {
+            listFixtures();
+        }
+        tree.raycast(callback, ray);
+    }
+
+    /** The shape with a proxy number. */
+    Fixture fixture(int proxy) {
+        return fixtures[proxy];
+    }
+
+    private void listFixtures() {
+        fixturesVersion = tree.version();
+        for (Body body = getBodyList(); body != null; body = body.m_next) {
+            for (Fixture fixture = body.m_fixtureList; fixture != null; fixture = fixture.m_next) {
+                if (fixture.m_proxyCount > 0) {
+                    int proxy = tree.proxyOf(fixture.m_proxies[0]);
+                    if (proxy >= fixtures.length) {
+                        fixtures = Arrays.copyOf(fixtures, 2 * proxy + 16);
+                    }
+                    fixtures[proxy] = fixture;
+                }
+            }
+        }
     }
 
     private void solve() {

@@ -3,18 +3,18 @@ package brickless.physics;
 /** What a ray met first. Mutable so that casting allocates nothing. */
 public final class RayHit {
     private double distance;
-    private double incidence;
+    private double incidenceCosine;
     private Solid solid;
 
     void clear() {
         distance = Double.POSITIVE_INFINITY;
-        incidence = 0;
+        incidenceCosine = 1;
         solid = null;
     }
 
-    void set(double distanceMetres, double incidenceRadians, Solid hit) {
+    void set(double distanceMetres, double cosineOfIncidence, Solid hit) {
         distance = distanceMetres;
-        incidence = incidenceRadians;
+        incidenceCosine = cosineOfIncidence;
         solid = hit;
     }
 
@@ -25,7 +25,7 @@ public final class RayHit {
 
     /** Angle between the ray and the surface normal, 0 (head on) to π/2. */
     public double incidenceRadians() {
-        return incidence;
+        return StrictMath.acos(Math.max(-1, Math.min(1, incidenceCosine)));
     }
 
     /** What was hit, null if nothing. */

@@ -4,7 +4,7 @@ import brickless.world.Pose2;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
-/** The lines of a trace as text, without the line end. */
+/** The lines of a trace as text, without the line end. The trace itself gets its samples from {@link SampleLine}, which is faster. */
 public final class TraceLine {
     private TraceLine() {}
 

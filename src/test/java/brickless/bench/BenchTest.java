@@ -20,8 +20,8 @@ class BenchTest {
     @TempDir Path folder;
 
     @ParameterizedTest
-    @CsvSource({"bumper, timesWall", "line, timesCpu", "courier, startMillis", "yielders, switchesPerSecond", "robots-10, heapKilobytesPerRobot",
-            "bare-1, nanosPerStep", "physics-1, bytesPerStep", "physics-100, nanosPerStep", "kernel, cpuMillisPerSecond", "compute, sieve",
+    @CsvSource({"bumper, timesWall", "line, timesCpu", "courier, startMillis", "yielders, switchesPerSecond", "robots-10, microsPerRobotStep",
+            "bare-1, nanosPerStep", "physics-1, nanosPerStep", "physics-100, nanosPerStep", "kernel, cpuMillisPerSecond", "compute, sieve",
             "pieces, rayFanNanos", "cold, wallSeconds"})
     void everyKindOfMeasurementGivesItsFigure(String name, String figure) throws Exception {
         assertThat(BenchCase.named(name).measurement().measure(Effort.TRIAL).get(figure)).isFinite().isNotNegative();

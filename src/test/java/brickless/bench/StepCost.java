@@ -26,31 +26,29 @@ abstract class StepCost implements Measurement {
     }
 
     @Override public final Figures measure(Effort effort) {
-        Stepper stepper = stepper();
         int steps = effort.nest() ? Math.max(2_000, STEPS_PER_ROUND * 4 / (3 + robots)) : 100;
-        long time = 0;
         long begin = System.nanoTime();
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {
-            time = run(stepper, time, steps);
+            round(steps);
         }
         Figures[] rounds = new Figures[ROUNDS * effort.rounds()];
         for (int i = 0; i < rounds.length; i++) {
-            long cpu = HostReading.ownNanos();
-            long bytes = HostReading.ownBytes();
-            time = run(stepper, time, steps);
-            double allocated = HostReading.ownBytes() - bytes;
-            rounds[i] = new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps)
-                    .put("bytesPerStep", allocated / steps);
+            rounds[i] = round(steps);
         }
         return ProgramSpeed.medians(rounds);
     }
 
-    private static long run(Stepper stepper, long time, int steps) {
-        long now = time;
+    /** Every round begins anew: after thousands of turns the solver's angles are too coarse for a circle. */
+    private Figures round(int steps) {
+        Stepper stepper = stepper();
+        long cpu = HostReading.ownNanos();
+        long bytes = HostReading.ownBytes();
+        long now = 0;
         for (int i = 0; i < steps; i++) {
             now += ArenaSettings.DEFAULT_STEP_NANOS;
             stepper.step(now);
         }
-        return now;
+        double allocated = HostReading.ownBytes() - bytes;
+        return new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps).put("bytesPerStep", allocated / steps);
     }
 }

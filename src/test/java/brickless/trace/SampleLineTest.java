@@ -25,26 +25,7 @@ class SampleLineTest {
 
     /** The same with Jackson's generator. */
     private static String expected(Sample sample) {
-        return JsonText.object(json -> {
-            json.seconds("t", sample.timeNanos()).text("type", "sample");
-            json.objects("robots", sample.robots(), SampleLineTest::robot);
-            if (!sample.bodies().isEmpty()) {
-                json.objects("bodies", sample.bodies(), (body, fields) -> pose(fields.text("id", body.id()), body.displacement()));
-            }
-        }) + "\n";
-    }
-
-    private static void robot(RobotSample robot, JsonLine json) {
-        pose(json.text("name", robot.name()), robot.pose());
-        json.objects("motors", robot.motors(), (motor, fields) -> fields.text("port", String.valueOf(motor.port())).number("tacho", motor.tachoDegrees(), 2)
-                .number("speed", motor.degreesPerSecond(), 1).number("duty", motor.dutyPercent(), 1).number("amperes", motor.amperes(), 3));
-        json.objects("sensors", robot.sensors(), (sensor, fields) -> fields.integer("port", sensor.port()).text("kind", sensor.kind())
-                .numbers("values", sensor.values(), 4));
-        json.number("volts", robot.batteryVolts(), 3);
-    }
-
-    private static JsonLine pose(JsonLine json, Pose2 pose) {
-        return json.number("x", pose.x(), 5).number("y", pose.y(), 5).number("heading", StrictMath.toDegrees(pose.headingRadians()), 3);
+        return TraceLine.sample(sample) + "\n";
     }
 
     private static double number(Random random) {
