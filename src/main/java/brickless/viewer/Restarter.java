@@ -16,6 +16,7 @@ final class Restarter {
     private final RunSource source;
     private final Driver driver;
     private FileWatch watch;
+    private OptionalLong lastSeed = OptionalLong.empty();
 
     Restarter(RunSource source, RunSource.Prepared first, Driver driver) {
         this.source = source;
@@ -26,6 +27,7 @@ final class Restarter {
     /**
      * Prepares a run and puts it in the place of the present one.
      *
+     * @param seed another seed; empty: the last one
      * @throws RefusedException if it cannot be prepared
      */
     CompletableFuture<Void> restart(OptionalLong seed) {
@@ -39,10 +41,12 @@ final class Restarter {
 
     private synchronized RunSource.Prepared prepare(OptionalLong seed) {
         try {
-            RunSource.Prepared prepared = source.prepare(seed);
+            OptionalLong wanted = seed.isPresent() ? seed : lastSeed;
+            RunSource.Prepared prepared = source.prepare(wanted);
             FileWatch fresh = new FileWatch(prepared.files());
             tryOut(prepared);
             watch = fresh;
+            lastSeed = wanted;
             return prepared;
         } catch (SetupException e) {
             driver.submit(() -> driver.say(e.getMessage()));

@@ -67,6 +67,8 @@ class RestartTest {
             }
             visit.command("{'do':'restart','seed':7}");
             assertThat(one.await("begin", fields -> fields.integer("session") == 3).fields().integer("seed")).isEqualTo(7);
+            visit.command("{'do':'restart'}");
+            assertThat(one.await("begin", fields -> fields.integer("session") == 4).fields().integer("seed")).as("the last one").isEqualTo(7);
             one.awaitTime(0.2);
         }
     }
