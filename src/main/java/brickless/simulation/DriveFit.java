@@ -45,7 +45,7 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
         List<HardwareHints.Device> pair = guessedPair(hints.motors());
         boolean swapped = Side.of(pair.get(1).name()) == Side.LEFT || Side.of(pair.get(0).name()) == Side.RIGHT;
         NamedSizes sizes = NamedSizes.of(hints.numbers());
-        double diameter = sizes.diameterMillimetres().orElse(TyreSize.DEFAULT_MILLIMETRES);
+        double diameter = TyreSize.plausible(sizes.diameterMillimetres().orElse(TyreSize.DEFAULT_MILLIMETRES));
         return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0), diameter), guessed(hints, pair.get(swapped ? 0 : 1), diameter),
                 plausible(sizes.trackMillimetres().orElse(DEFAULT_TRACK)));
     }

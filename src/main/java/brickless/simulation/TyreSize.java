@@ -18,7 +18,11 @@ final class TyreSize {
 
     /** Diameter in millimetres of a diameter in the program's unit; the usual one if no unit makes sense of it. */
     static double millimetres(double diameter) {
-        double size = diameter * millimetresPerUnit(diameter);
+        return plausible(diameter * millimetresPerUnit(diameter));
+    }
+
+    /** A size that a tyre can have, else the usual one. */
+    static double plausible(double size) {
         return size >= LEAST_MILLIMETRES && size <= GREATEST_MILLIMETRES ? size : DEFAULT_MILLIMETRES;
     }
 

@@ -10,7 +10,7 @@ public sealed interface TraceEvent {
     /** Writes the event's own fields. */
     void write(JsonLine line);
 
-    /** A key went down or up; {@code cause} is {@code stimulus}, {@code auto}, {@code person} or {@code program}. */
+    /** A key went down or up; {@code cause} is {@code stimulus}, {@code auto} or {@code program}. */
     record KeyEvent(String key, boolean down, String cause) implements TraceEvent {
         @Override public String type() {
             return "key";

@@ -95,14 +95,15 @@ final class Driver implements Runnable {
         tellState();
     }
 
-    /** A viewer has gone. */
+    /** A viewer has gone; unless it held something, the run does not notice. */
     void leave(Mailbox mailbox) {
         audience.leave(mailbox);
-        session.letGo(mailbox.viewer());
-        if (audience.isEmpty()) {
-            session.letGo(Holds.ANYBODY);
-        }
-        showTouch();
+        touch(() -> {
+            session.letGo(mailbox.viewer());
+            if (audience.isEmpty()) {
+                session.letGo(Holds.ANYBODY);
+            }
+        });
     }
 
     void perform(Command command) {
@@ -118,11 +119,9 @@ final class Driver implements Runnable {
         } else if (command instanceof Command.SetSpeed speed) {
             pacer.setSpeed(speed.speed(), System.nanoTime(), session.nowNanos());
         } else if (command instanceof Command.Touch touch) {
-            session.touch(touch.words());
-            showTouch();
+            touch(() -> session.touch(touch.words()));
         } else if (command instanceof Command.Hold hold) {
-            session.hold(hold);
-            showTouch();
+            touch(() -> session.hold(hold));
         }
         message = Optional.empty();
         tellNews();
@@ -136,10 +135,14 @@ final class Driver implements Runnable {
         }
     }
 
-    /** Whoever touches a run that is held wants to see it. */
-    private void showTouch() {
-        if (!playing && !session.ended()) {
+    /** Whoever touches a run that is held wants to see it: it goes on by one step if there was anything to do. */
+    private void touch(Runnable action) {
+        int before = session.touches();
+        action.run();
+        if (session.touches() > before && !playing && !session.ended()) {
             advance(session.run().step().toNanos());
+            tellNews();
+            tellState();
         }
     }
 
@@ -156,7 +159,7 @@ final class Driver implements Runnable {
         message = Optional.empty();
         playing = true;
         shownEnded = false;
-        pacer.restart(System.nanoTime(), 0);
+        pacer.begin(System.nanoTime());
         meter.restart();
         audience.all().forEach(this::begin);
         tellState();
@@ -242,7 +245,10 @@ final class Driver implements Runnable {
             advance(Math.min(QUANTUM_NANOS, due - session.nowNanos()));
             now = System.nanoTime();
         }
-        pacer.reached(now, session.nowNanos());
+        if (pacer.reached(now, session.nowNanos())) {
+            playing = false;
+            say("The run was paused after another 10 simulated hours. Its record grows with its time; play lets it go on.");
+        }
     }
 
     private void advance(long nanos) {

@@ -17,7 +17,7 @@ final class LivePage {
     private static final List<String> SCRIPTS = paths(
             List.of("recording.js", "sensors.js", "screen.js", "behaviours.js", "dom.js", "widgets.js", "drawing.js", "arena.js", "brick.js", "tracks.js", "plots.js",
                     "timeline.js", "listing.js", "events.js", "figures.js"),
-            List.of("live-recording.js", "link.js", "hold.js", "sensing.js", "live-arena.js", "hands.js", "live-brick.js", "loudspeaker.js", "live-tracks.js",
+            List.of("live-recording.js", "link.js", "hold.js", "sensing.js", "live-arena.js", "handle.js", "hands.js", "live-brick.js", "loudspeaker.js", "live-tracks.js",
                     "live-lists.js", "tools.js", "controls.js", "notices.js", "live.js"));
 
     private LivePage() {}

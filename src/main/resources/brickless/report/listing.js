@@ -13,8 +13,11 @@ class Listing {
     this.spacer = html('div', {class: 'listing-spacer'});
     this.id = `list-${name.toLowerCase()}`;
     this.node = html('div', {class: 'listing', role: 'listbox', tabindex: 0, 'aria-label': name, id: this.id,
-      on: {scroll: () => this.draw(), keydown: (event) => this.key(event)}}, this.spacer);
-    new ResizeObserver(() => this.draw()).observe(this.node);
+      on: {scroll: () => this.scrolled(), keydown: (event) => this.key(event)}}, this.spacer);
+    new ResizeObserver(() => {
+      this.showEnd();
+      this.draw();
+    }).observe(this.node);
   }
 
   setEntries(entries) {
@@ -25,16 +28,28 @@ class Listing {
     this.draw(true);
   }
 
-  /** Takes further entries and, if the last row was in view, goes on showing the last. */
+  /** Takes further entries and, unless somebody has scrolled away from it, goes on showing the last. */
   append(entries) {
-    const atEnd = this.node.scrollTop + this.node.clientHeight >= this.spacer.offsetHeight - ROW_HEIGHT / 2;
+    this.follows = this.follows !== false;
     this.entries.push(...entries);
     this.current = this.entries.length - 1;
     this.spacer.style.height = `${Math.max(1, this.entries.length) * ROW_HEIGHT}px`;
-    if (atEnd) {
+    this.showEnd();
+    this.draw(true);
+  }
+
+  /** The last row comes into view if it is followed. */
+  showEnd() {
+    if (this.follows) {
       this.node.scrollTop = this.spacer.offsetHeight;
     }
-    this.draw(true);
+  }
+
+  scrolled() {
+    if (this.follows !== undefined && this.node.clientHeight > 0) {
+      this.follows = this.node.scrollTop + this.node.clientHeight >= this.spacer.offsetHeight - ROW_HEIGHT / 2;
+    }
+    this.draw();
   }
 
   /** Marks the entry that counts at a time and, if asked, brings it into view. */

@@ -162,7 +162,7 @@ class Plots {
   states(plot, series, context, width, top) {
     const {times} = this.recording;
     const {from, to, span} = this.group.window;
-    const xOf = (i) => (i < times.length ? Math.min(width, Math.max(0, (times[i] - from) / span * width)) : width);
+    const xOf = (i) => Math.min(width, Math.max(0, (times[Math.min(i, times.length - 1)] - from) / span * width));
     const last = Math.min(times.length - 1, lastNotAfter(times, to));
     for (let i = Math.max(0, lastNotAfter(times, from)); i <= last;) {
       const state = series.values[i];

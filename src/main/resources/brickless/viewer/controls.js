@@ -16,6 +16,7 @@ class Controls {
   constructor(host, link, loudspeaker, tools, group) {
     Object.assign(this, {link, loudspeaker, tools, group});
     this.state = {running: false, speed: 1, ended: null, touches: 0};
+    this.latest = 0;
     this.title = html('h1', {}, '');
     this.setting = html('p', {class: 'setting'}, '');
     this.status = html('span', {class: 'outcome', role: 'status', 'data-part': 'status'}, '');
@@ -44,11 +45,13 @@ class Controls {
 
   /** Says what runs. */
   begin(data) {
+    this.latest = 0;
     const name = data.header.main;
     setText(this.title, name.slice(name.lastIndexOf('.') + 1));
     this.title.title = data.header.main;
     document.title = `${this.title.textContent} · Brickless live`;
-    const setting = [`world ${data.world}`, `robot ${data.robot}`, `seed ${data.seed}`];
+    const robots = data.scene.robots.length;
+    const setting = [`world ${data.world}`, robots > 1 ? `${robots} robots` : `robot ${data.robot}`, `seed ${data.seed}`];
     if (data.limit !== null) {
       setting.push(`until ${period(data.limit)}`);
     }
@@ -86,8 +89,10 @@ class Controls {
     return ended.outcome === 'exited' && ended.exitStatus !== 0 ? `exited with ${ended.exitStatus}` : ended.outcome;
   }
 
+  /** Shows a time; a frame that was on its way when the state was told does not turn the clock back. */
   time(time) {
-    setText(this.now, clock(time));
+    this.latest = Math.max(this.latest, time);
+    setText(this.now, clock(this.latest));
   }
 
   toggle() {

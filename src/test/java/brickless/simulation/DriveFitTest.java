@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import brickless.loading.hints.HardwareHints;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,5 +50,19 @@ class DriveFitTest {
         DriveFit fit = DriveFit.of(new HardwareHints(List.of(), List.of(), List.of()));
         assertThat(fit).isEqualTo(new DriveFit(new DriveFit.Wheel("B", "large", 56, 1, false),
                 new DriveFit.Wheel("C", "large", 56, 1, false), 120));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"WHEEL_RADIUS, 2.15, TRACK, 15.6, 43, 156", "wheelDiameter, 56, trackWidth, 130, 56, 130", "WHEEL_DIAMETER_CM, 5.6, AXLE_CM, 12, 56, 120",
+        "wheelDiameterInMm, 68.8, wheelBase, 140, 68.8, 140", "diameter, 2.2, distanceBetweenWheels, 5, 55.88, 127", "x, 9, HALF_TRACK_MM, 60, 56, 120",
+        "WHEEL_CIRCUMFERENCE, 17.6, track, 11.5, 56.02, 115", "turnRadius, 30, trackColor, 4, 56, 120", "raddurchmesser, 4.3, spurweite, 16, 43, 160"})
+    void sizesInConstantsDecideWithoutAPilot(String wheelName, double wheel, String trackName, double track, double diameter, double width) {
+        Map<String, Double> numbers = new LinkedHashMap<>();
+        numbers.put("speed", 200.0);
+        numbers.put(wheelName, wheel);
+        numbers.put(trackName, track);
+        DriveFit fit = DriveFit.of(new HardwareHints(List.of(large("B", ""), large("C", "")), List.of(), List.of(), List.of(), Set.of(), numbers));
+        assertThat(fit.left().diameterMillimetres()).isCloseTo(diameter, within(0.01));
+        assertThat(fit.trackMillimetres()).isCloseTo(width, within(0.01));
     }
 }

@@ -13,21 +13,24 @@ import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import lejos.OriginalJar;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-/** The example programs are programs for a real brick: they need nothing but Java 8 and the published leJOS. */
+/** The example programs, and those of the tests, are for a real brick: they need only Java 8 and the published leJOS. */
 class ExamplesForTheBrickTest {
-    @Test void examplesCompileAgainstThePublishedJar(@TempDir Path classes) throws IOException {
+    @ParameterizedTest
+    @CsvSource({"sim/programs, 15", "src/test/java/kit, 20", "src/test/java/programs/students, 14"})
+    void programsCompileAgainstThePublishedJar(String folder, int atLeast, @TempDir Path classes) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
-                Stream<Path> sources = Files.walk(Path.of(System.getProperty("brickless.home"), "sim", "programs"))) {
+                Stream<Path> sources = Files.walk(Path.of(System.getProperty("brickless.home"), folder))) {
             List<File> programs = sources.filter(file -> file.toString().endsWith(".java")).sorted().map(Path::toFile).toList();
             List<String> options = List.of("--release", "8", "-Xlint:-options", "-nowarn", "-cp", OriginalJar.path().toString(), "-d", classes.toString());
             boolean compiled = compiler.getTask(messages, files, null, options, null, files.getJavaFileObjectsFromFiles(programs)).call();
             assertThat(compiled).as(messages.toString()).isTrue();
-            assertThat(programs).hasSizeGreaterThan(14);
+            assertThat(programs).hasSizeGreaterThanOrEqualTo(atLeast);
         }
     }
 }

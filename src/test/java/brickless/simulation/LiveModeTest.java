@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -58,6 +59,22 @@ class LiveModeTest {
         assertThat(files.resolve("console.txt")).hasContent(ended.out());
         assertThat(files).isDirectoryContaining("glob:**/trace.jsonl").isDirectoryContaining("glob:**/report.html");
         assertThat(files).isDirectoryNotContaining("glob:**.part");
+    }
+
+    @Test void theExampleOfTheDocumentationRunsAsItSays() throws Exception {
+        String page = Files.readString(PROGRAMS.resolve("../docs/LIVE-MODE.md"));
+        Path source = Files.writeString(folder.resolve("Turn.java"), fenced(page, "```java\n"));
+        String[] words = fenced(page, "```\njava ").strip().split(" ");
+        assertThat(words[words.length - 1]).isEqualTo("Turn");
+        Ended ended = run(source, Arrays.copyOf(words, words.length - 1));
+        assertThat(page).contains("prints `" + ended.out().strip() + "`");
+        assertThat(ended.err()).contains("Turn in line-loop: exited after");
+        assertThat(folder.resolve("run/summary.json")).content().contains("\"robot\":\"educator\"");
+    }
+
+    private static String fenced(String page, String opening) {
+        int begin = page.indexOf(opening) + opening.length();
+        return page.substring(begin, page.indexOf("```", begin));
     }
 
     @Test void worldRobotAndSeedComeFromSystemProperties() throws Exception {

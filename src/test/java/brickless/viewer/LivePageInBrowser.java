@@ -45,11 +45,12 @@ final class LivePageInBrowser {
         browser.await("document.body.dataset.run === '" + state + "'");
     }
 
-    /** Waits until the server has told its state a number of times more, which it does once a second. */
-    void awaitStates(int count) {
-        browser.run("window.told = 0; window.ears = new EventSource('events'); window.ears.addEventListener('state', () => window.told++);");
-        browser.await("window.told >= " + count);
+    /** Waits until the server has told its state a number of times more, as to a viewer of its own, which then leaves; the run's time in seconds. */
+    double awaitStates(int count) {
+        browser.run("window.told = []; window.ears = new EventSource('events'); window.ears.addEventListener('state', (state) => window.told.push(JSON.parse(state.data).t));");
+        browser.await("window.told.length >= " + count);
         browser.run("window.ears.close()");
+        return ((Number) browser.value("window.told.at(-1)")).doubleValue();
     }
 
     /** x, y in millimetres and heading in degrees of the drawn robot. */
@@ -69,11 +70,6 @@ final class LivePageInBrowser {
 
     String pixels() {
         return (String) browser.value(LCD);
-    }
-
-    /** Waits until the screen shows a picture, row by row, {@code #} for a dark dot. */
-    void awaitPixels(String picture) {
-        browser.await(LCD + " === '" + picture + "'");
     }
 
     WebElement element(String selector) {

@@ -17,10 +17,23 @@ class PacerTest {
         assertThat(pacer.due(7 * SECOND)).isEqualTo(SECOND + millis * 1_000_000);
     }
 
-    @Test void atMaximumSpeedEverythingIsDue() {
+    @Test void atMaximumSpeedEverythingIsDueUntilTheRunShouldRest() {
         Pacer pacer = new Pacer(Speed.MAX);
-        pacer.reached(SECOND, 12);
-        assertThat(pacer.due(SECOND)).isEqualTo(Long.MAX_VALUE);
+        assertThat(pacer.reached(SECOND, 12)).isFalse();
+        assertThat(pacer.due(SECOND)).isEqualTo(Pacer.REST_NANOS);
+    }
+
+    @Test void aRunRestsAfterTenHoursAndAfterTenMore() {
+        Pacer pacer = new Pacer(100);
+        pacer.restart(0, Pacer.REST_NANOS - SECOND);
+        assertThat(pacer.due(SECOND)).isEqualTo(Pacer.REST_NANOS);
+        assertThat(pacer.reached(SECOND, Pacer.REST_NANOS)).isTrue();
+        assertThat(pacer.reached(SECOND, Pacer.REST_NANOS)).isFalse();
+        pacer.restart(2 * SECOND, Pacer.REST_NANOS);
+        assertThat(pacer.due(3 * SECOND)).isEqualTo(Pacer.REST_NANOS + 100 * SECOND);
+        assertThat(pacer.reached(3 * SECOND, 2 * Pacer.REST_NANOS)).isTrue();
+        pacer.begin(4 * SECOND);
+        assertThat(pacer.due(Long.MAX_VALUE / 200)).as("of a new run").isEqualTo(Pacer.REST_NANOS);
     }
 
     @Test void anotherSpeedGoesOnFromWhereTheRunIs() {

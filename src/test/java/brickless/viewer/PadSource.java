@@ -61,14 +61,9 @@ final class PadSource implements RunSource {
 
                 static void changed(String name, boolean down) {
                     System.out.println(name + (down ? " down" : " up"));
-                    if (!down && name.equals("Up")) {
-                        draw();
-                        StringBuilder hex = new StringBuilder("LCD ");
-                        for (byte part : LCD.getDisplay()) {
-                            hex.append(Character.forDigit(part >> 4 & 15, 16)).append(Character.forDigit(part & 15, 16));
-                        }
-                        System.err.println(hex);
-                        draw();
+                    if (down && name.equals("Up")) {
+                        LCD.drawString("Up and away", 2, 3);
+                        LCD.setPixel(177, 127, 1);
                     }
                     if (down && name.equals("Left")) {
                         Button.LEDPattern(2);
@@ -78,21 +73,16 @@ final class PadSource implements RunSource {
                         System.out.println("%s");
                     }
                 }
-
-                static void draw() {
-                    LCD.clear();
-                    LCD.drawString("Up and away", 2, 3);
-                    LCD.setPixel(177, 127, 1);
-                    LCD.refresh();
-                }
             }
             """.formatted(NASTY);
 
     private final Path file;
+    private final Path out;
     private final Duration limit;
 
     PadSource(Path folder, Duration limit) throws IOException {
         this.file = folder.resolve("Pad.java");
+        this.out = folder.resolve("run");
         this.limit = limit;
         Files.writeString(file, PROGRAM);
     }
@@ -109,7 +99,12 @@ final class PadSource implements RunSource {
     private SimulationSettings settings(long seed) throws DescriptionException {
         Library library = new Library(HOME);
         return SimulationSettings.builder(library.world("sim/worlds/pen.svg")).robot(library.robot("sim/robots/educator.svg")).seed(seed).attended(true)
-                .pressButtons(false).limit(limit).build();
+                .pressButtons(false).limit(limit).out(Optional.of(out)).build();
+    }
+
+    /** The folder of the run's files, written when it is over. */
+    Path out() {
+        return out;
     }
 
     /** Replaces words of the program. */
@@ -124,7 +119,7 @@ final class PadSource implements RunSource {
     /** Runs the program without anybody watching. */
     RunReport headless(String stimuli) throws Exception {
         try (Program program = new ProgramFinder(file.getParent(), List.of(), Optional.empty()).find(file.toString());
-                Run run = new Simulation(settings(1).toBuilder().stimuli(StimuliReader.readText("stimuli", stimuli)).build()).start(program)) {
+                Run run = new Simulation(settings(1).toBuilder().stimuli(StimuliReader.readText("stimuli", stimuli)).out(Optional.empty()).build()).start(program)) {
             run.toEnd();
             return run.report();
         }

@@ -29,7 +29,9 @@ final class Spectator implements AutoCloseable {
 
     private final InputStream stream;
     private final List<Message> messages = new ArrayList<>();
+    private final List<String> events = new ArrayList<>();
     private boolean over;
+    private int eventsLooked;
     private int looked;
 
     private Spectator(InputStream stream) {
@@ -69,6 +71,9 @@ final class Spectator implements AutoCloseable {
 
     private synchronized void add(Message message) {
         messages.add(message);
+        if (message.name().equals("events")) {
+            events.addAll(List.of(message.json().split("(?<=\\}),(?=\\{\"t\")")));
+        }
         notifyAll();
     }
 
@@ -105,17 +110,21 @@ final class Spectator implements AutoCloseable {
         return await("state", state -> state.number("t") >= seconds).fields();
     }
 
-    /** Waits for an event whose line holds a text. */
-    String awaitEvent(String part) throws InterruptedException {
+    /** Waits for the next event whose line holds a text; every event is looked at once, however many came in one message. */
+    synchronized void awaitEvent(String part) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE.toNanos();
-        String json = "";
-        while (!json.contains(part)) {
-            if (System.nanoTime() > end) {
-                throw new AssertionError("no event with " + part);
+        while (true) {
+            while (eventsLooked < events.size()) {
+                if (events.get(eventsLooked++).contains(part)) {
+                    return;
+                }
             }
-            json = await("events").json();
+            long left = (end - System.nanoTime()) / 1_000_000;
+            if (over || left <= 0) {
+                throw new AssertionError("no event with " + part + "; events were " + events);
+            }
+            wait(left);
         }
-        return json;
     }
 
     /** Waits until the stream ends. */

@@ -133,6 +133,7 @@ class LocalEV3Test {
         assertThat(Bluetooth.getNXTCommConnector().connect("NXT", 0)).isNull();
         assertThat(Wifi.getIfNames()).isEmpty();
         assertThat(Wifi.getLocalDevice("wlan0").getAccessPointNames()).isEmpty();
+        assertThat(Wifi.getLocalDevice("wlan0").getAccessPoint()).isNull();
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Random;
 import lejos.Agreement.Sightings;
 import lejos.Bytes;
+import lejos.robotics.RangeReading;
 import lejos.robotics.RangeReadings;
 import lejos.robotics.geometry.Line;
 import lejos.robotics.geometry.Point;
@@ -12,6 +13,7 @@ import lejos.robotics.geometry.Rectangle;
 import lejos.robotics.mapping.LineMap;
 import lejos.robotics.navigation.Move;
 import lejos.robotics.navigation.Pose;
+import lejos.robotics.objectdetection.RangeFeature;
 
 /** Drives pose providers without their random parts. */
 final class LocalizationDriver {
@@ -75,6 +77,7 @@ final class LocalizationDriver {
         note(seen, "particle", set.getParticle(2).getPose());
         seen.note("reading", set.getParticle(0).getReading(1, readings, ROOM));
         seen.note("predicted", set.getParticle(0).getReadings(readings, ROOM).getRange(2));
+        feature(seen, readings, set.getParticle(1).getPose());
         MCLPoseProvider provider = new MCLPoseProvider(ROOM, 6, 5);
         provider.setParticles(set);
         provider.estimatePose();
@@ -83,6 +86,16 @@ final class LocalizationDriver {
         seen.note("updated", provider.isUpdated() || provider.isLost() || provider.isBusy() || provider.update());
         seen.note("error", provider.getErrorRect().getCenterX());
         wire(seen, provider);
+    }
+
+    /** The last 8 bytes of a feature are the time. */
+    private static void feature(Sightings seen, RangeReadings readings, Pose pose) {
+        RangeFeature feature = new RangeFeature(readings, pose);
+        Bytes.note(seen, "feature", feature, 24);
+        RangeFeature copy = Bytes.copy(feature, new RangeFeature(new RangeReading(1, 2)));
+        note(seen, "feature pose", copy.getPose());
+        seen.note("feature range", copy.getRangeReading().getRange()).note("feature angle", copy.getRangeReading().getAngle());
+        seen.note("feature readings", feature.getRangeReadings().getNumReadings());
     }
 
     /** Means are rounded in another order, so that last bits differ: not the bytes but the numbers in them are compared. */
