@@ -36,6 +36,8 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
     private Fixture[] fixtures = new Fixture[0];
     private int fixturesVersion = -1;
     private float lastInverse;
+    /** Whether bodies were solved together in this step. */
+    private boolean islands;
 
     LeanWorld() {
         this(new LazyTree());
@@ -109,17 +111,19 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
             }
         }
         for (Body body = getBodyList(); body != null; body = body.m_next) {
-            if ((body.m_flags & Body.e_islandFlag) != 0 && body.m_type != BodyType.STATIC) {
+            if ((body.m_flags & Body.e_islandFlag) != 0) {
+                body.m_flags &= ~Body.e_islandFlag;
                 boxes.follow(body);
             }
         }
     }
 
+    /** Takes the marks of the last step's islands away, if there were any; bodies have lost theirs already. */
     private void forgetIslands() {
-        island.init(getBodyCount(), getContactCount(), getJointCount(), m_contactManager.m_contactListener);
-        for (Body body = getBodyList(); body != null; body = body.m_next) {
-            body.m_flags &= ~Body.e_islandFlag;
+        if (!islands) {
+            return;
         }
+        islands = false;
         for (Contact contact = getContactList(); contact != null; contact = contact.m_next) {
             contact.m_flags &= ~Contact.ISLAND_FLAG;
         }
@@ -148,6 +152,10 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
 
     /** Solves a body together with all that it touches or is joined to, directly or through others; found depth first. */
     private void solveIsland(Body seed) {
+        if (!islands) {
+            islands = true;
+            island.init(getBodyCount(), getContactCount(), getJointCount(), m_contactManager.m_contactListener);
+        }
         if (stack.length < getBodyCount()) {
             stack = new Body[getBodyCount()];
         }

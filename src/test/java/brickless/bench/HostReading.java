@@ -10,15 +10,18 @@ import java.util.Arrays;
  *
  * @param wallNanos wall clock
  * @param processNanos processor time of the whole JVM, its compiler and garbage collector included
+ * @param threadNanos processor time of all threads that live now, without compiler and collector
  * @param allocatedBytes what all threads that live now have allocated
  */
-record HostReading(long wallNanos, long processNanos, long allocatedBytes) {
+record HostReading(long wallNanos, long processNanos, long threadNanos, long allocatedBytes) {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
     static HostReading now() {
-        long bytes = Arrays.stream(THREADS.getThreadAllocatedBytes(THREADS.getAllThreadIds())).filter(b -> b > 0).sum();
-        return new HostReading(System.nanoTime(), SYSTEM.getProcessCpuTime(), bytes);
+        long[] threads = THREADS.getAllThreadIds();
+        long bytes = Arrays.stream(THREADS.getThreadAllocatedBytes(threads)).filter(b -> b > 0).sum();
+        long nanos = Arrays.stream(THREADS.getThreadCpuTime(threads)).filter(n -> n > 0).sum();
+        return new HostReading(System.nanoTime(), SYSTEM.getProcessCpuTime(), nanos, bytes);
     }
 
     /** Processor time of the calling thread alone. */
@@ -37,5 +40,9 @@ record HostReading(long wallNanos, long processNanos, long allocatedBytes) {
 
     double processSecondsSince(HostReading earlier) {
         return (processNanos - earlier.processNanos) / 1e9;
+    }
+
+    double threadSecondsSince(HostReading earlier) {
+        return (threadNanos - earlier.threadNanos) / 1e9;
     }
 }

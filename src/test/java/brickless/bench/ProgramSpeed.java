@@ -10,8 +10,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 
 /**
- * How fast whole programs run: simulated time over wall time and over processor time, what they allocate, and how long a run takes to
- * start. A run counts from its start to its end, report included; no files are written.
+ * How fast whole programs run, in times real time. Every run has classes of its own, which the JVM compiles anew: so the first half of a
+ * run, start included, is measured as {@code timesNewRun}, and the second half, of the same length, as the speed after warm-up: by the wall
+ * clock, by the processor time of the whole JVM, and by that of its threads alone (without compiler and collector). Also what a run
+ * allocates, and how long it takes to start. No files are written.
  */
 final class ProgramSpeed implements Measurement {
     private static final Duration BEGINNING = Duration.ofMillis(2);
@@ -26,7 +28,7 @@ final class ProgramSpeed implements Measurement {
 
     @Override public Figures measure(Effort effort) throws Exception {
         long begin = System.nanoTime();
-        Simulation simulation = simulation(effort.simulatedSeconds());
+        Simulation simulation = simulation(2 * effort.simulatedSeconds());
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {
             round(simulation, effort);
         }
@@ -44,23 +46,27 @@ final class ProgramSpeed implements Measurement {
     }
 
     private Figures round(Simulation simulation, Effort effort) {
+        Duration half = Duration.ofSeconds(effort.simulatedSeconds());
         HostReading start = HostReading.now();
         Run run = simulation.start(Program.onClassPath(mainClass));
         run.advance(BEGINNING);
-        HostReading steady = HostReading.now();
-        Duration middle = Duration.ofSeconds(effort.simulatedSeconds()).minus(BEGINNING.multipliedBy(2));
-        run.advance(middle);
+        HostReading begun = HostReading.now();
+        run.advance(half.minus(BEGINNING));
+        HostReading warm = HostReading.now();
+        run.advance(half.minus(BEGINNING));
         HostReading late = HostReading.now();
         run.toEnd();
-        HostReading end = HostReading.now();
         if (!run.outcome().kind().equals("time-limit")) {
             throw new IllegalStateException(run.report().text());
         }
-        return new Figures().put("timesWall", effort.simulatedSeconds() / end.wallSecondsSince(start))
-                .put("timesCpu", effort.simulatedSeconds() / end.processSecondsSince(start))
-                .put("kilobytesPerSecond", (late.allocatedBytes() - steady.allocatedBytes()) / 1e3 / (middle.toMillis() / 1e3))
-                .put("startMillis", steady.wallSecondsSince(start) * 1e3)
-                .put("switchesPerSecond", (double) run.report().contextSwitches() / effort.simulatedSeconds());
+        double seconds = half.minus(BEGINNING).toMillis() / 1e3;
+        return new Figures().put("timesWall", seconds / late.wallSecondsSince(warm))
+                .put("timesCpu", seconds / late.processSecondsSince(warm))
+                .put("timesThreads", seconds / late.threadSecondsSince(warm))
+                .put("timesNewRun", half.toSeconds() / warm.wallSecondsSince(start))
+                .put("kilobytesPerSecond", (late.allocatedBytes() - warm.allocatedBytes()) / 1e3 / seconds)
+                .put("startMillis", begun.wallSecondsSince(start) * 1e3)
+                .put("switchesPerSecond", run.report().contextSwitches() / (2.0 * half.toSeconds()));
     }
 
     static Figures medians(Figures... rounds) {
