@@ -2,12 +2,18 @@ package lejos;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
 
 /** Runs one driver with our classes and with the published ones, and compares what it reports. */
 public final class Agreement {
+    /** So many that threads which are left behind do not get in each other's way. */
+    private static final int INDICES_PER_PROCESS = 250;
+
     private Agreement() {}
 
     /** What a driver saw: labels with numbers; truth values are 0 and 1. */
@@ -38,6 +44,27 @@ public final class Agreement {
         try (OriginalRunner runner = new OriginalRunner(driver, "play")) {
             for (int index = 0; index < count; index++) {
                 compare(driver.getSimpleName() + " " + index, runner.run(index), ours.apply(index), tolerance);
+            }
+        }
+    }
+
+    /**
+     * The same with each side in JVMs of its own, for classes whose threads do not end.
+     *
+     * @param folder for what the JVMs report
+     */
+    public static void checkInProcesses(Class<?> driver, int count, double tolerance, Path folder) {
+        String tests = OriginalJar.testClasses(driver).toString();
+        String original = OriginalJar.path() + File.pathSeparator + tests;
+        for (int begin = 0; begin < count; begin += INDICES_PER_PROCESS) {
+            int end = Math.min(count, begin + INDICES_PER_PROCESS);
+            DriverProcess theirs = new DriverProcess(original, driver, begin, end, folder);
+            DriverProcess ours = new DriverProcess(System.getProperty("java.class.path"), driver, begin, end, folder);
+            List<Map<String, Double>> expected = theirs.sightings();
+            List<Map<String, Double>> actual = ours.sightings();
+            assertThat(expected).hasSize(end - begin).hasSameSizeAs(actual);
+            for (int i = 0; i < expected.size(); i++) {
+                compare(driver.getSimpleName() + " " + (begin + i), expected.get(i), actual.get(i), tolerance);
             }
         }
     }

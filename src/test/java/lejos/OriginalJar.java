@@ -3,6 +3,7 @@ package lejos;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.MalformedURLException;
+import java.net.URISyntaxException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
@@ -37,8 +38,16 @@ public final class OriginalJar {
      * @param driver a class of the test tree; it and its neighbours are defined anew in the loader
      */
     public static URLClassLoader loaderWith(Class<?> driver) {
-        URL tests = driver.getProtectionDomain().getCodeSource().getLocation();
-        return new URLClassLoader(new URL[] {url(path()), tests}, ClassLoader.getPlatformClassLoader());
+        return new URLClassLoader(new URL[] {url(path()), url(testClasses(driver))}, ClassLoader.getPlatformClassLoader());
+    }
+
+    /** Where a class of the test tree was found. */
+    static Path testClasses(Class<?> driver) {
+        try {
+            return Path.of(driver.getProtectionDomain().getCodeSource().getLocation().toURI());
+        } catch (URISyntaxException e) {
+            throw new AssertionError(e);
+        }
     }
 
     /** Runs a static method without parameters of a driver class against the published classes. */

@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import lejos.Agreement;
 import lejos.robotics.FakeMotor;
 import lejos.robotics.localization.OdometryPoseProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -26,8 +28,8 @@ class DifferentialPilotTest {
     }
 
     @Test
-    void pilotsCommandTheirMotorsAsThePublishedOnes() {
-        Agreement.check(PilotDriver.class, 2000, 2e-4, PilotDriver::play);
+    void pilotsCommandTheirMotorsAsThePublishedOnes(@TempDir Path folder) {
+        Agreement.checkInProcesses(PilotDriver.class, 2000, 2e-4, folder);
     }
 
     @Test

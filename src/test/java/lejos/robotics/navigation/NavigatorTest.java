@@ -6,6 +6,7 @@ import lejos.Agreement;
 import lejos.robotics.pathfinding.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(60)
 class NavigatorTest {
@@ -18,8 +19,8 @@ class NavigatorTest {
     }
 
     @Test
-    void navigatorsLeadTheirPilotsAsThePublishedOne() {
-        Agreement.check(NavigatorDriver.class, 683, 2e-3, NavigatorDriver::play); // for 683 two ways are equally short
+    void navigatorsLeadTheirPilotsAsThePublishedOne(@TempDir java.nio.file.Path folder) {
+        Agreement.checkInProcesses(NavigatorDriver.class, 683, 2e-3, folder); // for 683 two ways are equally short
     }
 
     @Test

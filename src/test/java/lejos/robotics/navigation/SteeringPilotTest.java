@@ -3,10 +3,12 @@ package lejos.robotics.navigation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Path;
 import lejos.Agreement;
 import lejos.robotics.FakeMotor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A car with wheels of 56 mm that steers to 50 degrees left and −60 right and then drives circles of 300 mm radius. */
 @Timeout(20)
@@ -21,8 +23,8 @@ class SteeringPilotTest {
     }
 
     @Test
-    void carsAndOmnidirectionalRobotsAreCommandedAsByThePublishedPilots() {
-        Agreement.check(OtherPilotsDriver.class, 60, 1.1e-3, OtherPilotsDriver::play);
+    void carsAndOmnidirectionalRobotsAreCommandedAsByThePublishedPilots(@TempDir Path folder) {
+        Agreement.checkInProcesses(OtherPilotsDriver.class, 60, 1.1e-3, folder);
     }
 
     @Test
