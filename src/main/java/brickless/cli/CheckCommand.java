@@ -37,7 +37,8 @@ final class CheckCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() {
+    @Override
+    public Integer call() {
         try (Program program = RunOptions.finder(classPath, null).findClasses(name)) {
             return report(missing(new ProgramClasses(program).files()));
         } catch (ProgramException e) {

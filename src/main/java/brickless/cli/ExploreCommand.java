@@ -36,7 +36,8 @@ final class ExploreCommand implements Callable<Integer> {
     @Spec
     private picocli.CommandLine.Model.CommandSpec spec;
 
-    @Override public Integer call() throws InterruptedException {
+    @Override
+    public Integer call() throws InterruptedException {
         if (schedules < 1 || jobs < 1) {
             throw new UsageException("--schedules and --jobs must be at least 1");
         }

@@ -29,7 +29,8 @@ final class LiveSource implements RunSource {
         this.console = console;
     }
 
-    @Override public Prepared prepare(OptionalLong seed) {
+    @Override
+    public Prepared prepare(OptionalLong seed) {
         try {
             Program program = options.findProgram();
             boolean ready = false;

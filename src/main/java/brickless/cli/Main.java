@@ -73,14 +73,16 @@ public final class Main implements Runnable {
         return USAGE;
     }
 
-    @Override public void run() {
+    @Override
+    public void run() {
         throw new CommandLine.ParameterException(spec.commandLine(), "which command? one of " + String.join(", ", spec.subcommands().keySet())
                 + "; 'brickless --help' explains");
     }
 
     /** Version of the jar. */
     static final class Version implements CommandLine.IVersionProvider {
-        @Override public String[] getVersion() {
+        @Override
+        public String[] getVersion() {
             String version = Main.class.getPackage().getImplementationVersion();
             return new String[] {"brickless " + (version == null ? "(development)" : version)};
         }

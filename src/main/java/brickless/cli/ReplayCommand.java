@@ -21,7 +21,8 @@ final class ReplayCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() {
+    @Override
+    public Integer call() {
         try {
             Path page = FinishedRun.open(folder).report();
             String address = page.toAbsolutePath().normalize().toUri().toString();

@@ -39,7 +39,8 @@ final class RunCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() throws Exception {
+    @Override
+    public Integer call() throws Exception {
         if (verbose) {
             System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", "debug");
         }

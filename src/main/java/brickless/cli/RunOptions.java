@@ -155,14 +155,16 @@ final class RunOptions {
     }
 
     private static final class PositiveDuration implements ITypeConverter<Duration> {
-        @Override public Duration convert(String value) {
+        @Override
+        public Duration convert(String value) {
             return Durations.parse(value).filter(duration -> !duration.isZero())
                     .orElseThrow(() -> new TypeConversionException("'" + value + "' is no time above zero; allowed: 500ms, 60s, 2m"));
         }
     }
 
     private static final class GoalConverter implements ITypeConverter<Goal> {
-        @Override public Goal convert(String value) {
+        @Override
+        public Goal convert(String value) {
             return Goal.parse(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no goal; allowed: zone:NAME, exit"));
         }
     }
@@ -171,7 +173,8 @@ final class RunOptions {
     enum Buttons { AUTO, NONE }
 
     private static final class ButtonsConverter implements ITypeConverter<Buttons> {
-        @Override public Buttons convert(String value) {
+        @Override
+        public Buttons convert(String value) {
             return switch (value) {
                 case "auto" -> Buttons.AUTO;
                 case "none" -> Buttons.NONE;
@@ -181,7 +184,8 @@ final class RunOptions {
     }
 
     private static final class BackendConverter implements ITypeConverter<BackendChoice> {
-        @Override public BackendChoice convert(String value) {
+        @Override
+        public BackendChoice convert(String value) {
             return switch (value) {
                 case "auto" -> BackendChoice.AUTO;
                 case "threads" -> BackendChoice.THREADS;

@@ -43,7 +43,8 @@ final class SweepCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() throws InterruptedException, IOException {
+    @Override
+    public Integer call() throws InterruptedException, IOException {
         if (jobs < 1) {
             throw new UsageException("--jobs must be at least 1");
         }

@@ -139,7 +139,8 @@ final class SweepLines implements AutoCloseable {
         count++;
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         if (channel != null) {
             channel.close();
         }

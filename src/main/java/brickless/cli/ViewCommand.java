@@ -26,7 +26,8 @@ final class ViewCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() throws InterruptedException {
+    @Override
+    public Integer call() throws InterruptedException {
         options.forPeople();
         return new Showing(main.out()).show(options, flags, Optional.ofNullable(out), json);
     }

@@ -37,7 +37,8 @@ final class ViewFlags {
     }
 
     private static final class SpeedConverter implements ITypeConverter<Double> {
-        @Override public Double convert(String value) {
+        @Override
+        public Double convert(String value) {
             return Speed.parse(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no speed; allowed: 0.1 to 100, max"));
         }
     }

@@ -67,7 +67,8 @@ final class ExclusiveSockets {
             this.arguments = arguments;
         }
 
-        @Override public void run() {
+        @Override
+        public void run() {
             try {
                 result = method.invoke(socket, arguments);
             } catch (InvocationTargetException e) {

@@ -122,18 +122,21 @@ public final class FinishedRun {
             return robots;
         }
 
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             recording.header(header);
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             if (names.isEmpty()) {
                 names = sample.robots().stream().map(RobotSample::name).toList();
             }
             recording.sample(sample);
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             recording.event(timeNanos, robot, event);
         }
     }

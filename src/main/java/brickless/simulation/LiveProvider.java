@@ -24,7 +24,8 @@ public final class LiveProvider implements BrickProvider {
      *
      * @throws SetupException if a property names something that is not there
      */
-    @Override public BrickHardware startLive() {
+    @Override
+    public BrickHardware startLive() {
         Program program = RunningProgram.mainClass().map(Program::onClassPath).orElseGet(Program::unknown);
         try {
             return new LiveRun(settings(), program).start();

@@ -73,16 +73,19 @@ final class LiveRun implements RobotSession.ProgramExit {
     }
 
     /** On a thread of its own: the end of the JVM waits for the lock that the caller may hold. */
-    @Override public void exit(int status) {
+    @Override
+    public void exit(int status) {
         new Thread(() -> System.exit(status), "brickless exit").start();
     }
 
-    @Override public void endByKeys() {
+    @Override
+    public void endByKeys() {
         exit(1);
     }
 
     /** The program is over when the JVM is. */
-    @Override public boolean over() {
+    @Override
+    public boolean over() {
         return false;
     }
 

@@ -123,7 +123,8 @@ public final class Run implements AutoCloseable {
     }
 
     /** Ends the run now if it has not ended. */
-    @Override public void close() {
+    @Override
+    public void close() {
         engine.stop();
     }
 }

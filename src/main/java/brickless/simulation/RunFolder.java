@@ -72,7 +72,8 @@ final class RunFolder {
         return folder.resolve(name + ".part");
     }
 
-    @Override public String toString() {
+    @Override
+    public String toString() {
         return folder.toString();
     }
 }

@@ -39,11 +39,13 @@ public sealed interface Stimulus {
 
     /** A stimulus that concerns the robot with this name instead of the first one (or, for a remote, all). */
     record On(String robot, Stimulus what) implements Stimulus {
-        @Override public long atNanos() {
+        @Override
+        public long atNanos() {
             return what.atNanos();
         }
 
-        @Override public String text() {
+        @Override
+        public String text() {
             return what.text() + " on " + robot;
         }
     }

@@ -72,11 +72,13 @@ public final class HtmlReport {
             super(out);
         }
 
-        @Override public void write(byte[] bytes, int offset, int length) throws IOException {
+        @Override
+        public void write(byte[] bytes, int offset, int length) throws IOException {
             out.write(bytes, offset, length);
         }
 
-        @Override public void close() throws IOException {
+        @Override
+        public void close() throws IOException {
             flush();
         }
     }

@@ -18,11 +18,13 @@ public final class ReportRecording implements TraceListener {
     private TraceHeader header;
     private int samples;
 
-    @Override public void header(TraceHeader value) {
+    @Override
+    public void header(TraceHeader value) {
         header = value;
     }
 
-    @Override public void sample(Sample sample) {
+    @Override
+    public void sample(Sample sample) {
         times.put(samples, sample.timeNanos() / 1_000 / 1e6);
         for (RobotSample robot : sample.robots()) {
             robots.computeIfAbsent(robot.name(), RobotColumns::new).add(samples, robot);
@@ -36,7 +38,8 @@ public final class ReportRecording implements TraceListener {
         samples++;
     }
 
-    @Override public void event(long timeNanos, String robot, TraceEvent event) {
+    @Override
+    public void event(long timeNanos, String robot, TraceEvent event) {
         events.add(new Happening(timeNanos, robot, event));
     }
 

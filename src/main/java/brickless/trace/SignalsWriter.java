@@ -32,7 +32,8 @@ public final class SignalsWriter implements AutoCloseable {
         widths.add(columns.size());
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         try (out) {
             out.write(String.join(",", columns) + "\n");
             for (int i = 0; i < rows.size(); i++) {

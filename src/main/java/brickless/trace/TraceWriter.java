@@ -64,7 +64,8 @@ public final class TraceWriter implements AutoCloseable {
         return hash;
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         out.close();
     }
 }

@@ -190,7 +190,8 @@ final class Driver implements Runnable {
 
     // ---- the thread
 
-    @Override public void run() {
+    @Override
+    public void run() {
         try {
             while (!stopping) {
                 performAll(tasks.poll(waitNanos(), TimeUnit.NANOSECONDS));

@@ -96,7 +96,8 @@ public final class LiveView implements AutoCloseable {
     }
 
     /** Ends the run if it has not ended, writes its files, tells the viewers and closes the server. Threads are gone when it returns. */
-    @Override public void close() {
+    @Override
+    public void close() {
         synchronized (this) {
             if (closed) {
                 return;

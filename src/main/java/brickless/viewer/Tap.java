@@ -25,17 +25,20 @@ final class Tap implements TraceListener {
     private TraceHeader header;
     private Sample newest;
 
-    @Override public void header(TraceHeader value) {
+    @Override
+    public void header(TraceHeader value) {
         header = value;
         recording.header(value);
     }
 
-    @Override public void sample(Sample sample) {
+    @Override
+    public void sample(Sample sample) {
         newest = sample;
         recording.sample(sample);
     }
 
-    @Override public void event(long timeNanos, String robot, TraceEvent event) {
+    @Override
+    public void event(long timeNanos, String robot, TraceEvent event) {
         fresh.add(new Happening(timeNanos, robot, event));
         recording.event(timeNanos, robot, event);
     }

@@ -35,7 +35,8 @@ final class BareSolver extends StepCost {
         super(robots);
     }
 
-    @Override Stepper stepper() {
+    @Override
+    Stepper stepper() {
         RobotGrid grid = new RobotGrid(robots());
         world = new World(new Vec2(0, 0));
         world.setContinuousPhysics(false);
@@ -134,7 +135,8 @@ final class BareSolver extends StepCost {
             world.raycast(this, from, to);
         }
 
-        @Override public float reportFixture(Fixture fixture, Vec2 point, Vec2 normal, float fraction) {
+        @Override
+        public float reportFixture(Fixture fixture, Vec2 point, Vec2 normal, float fraction) {
             return fixture.getBody() == self ? -1 : fraction;
         }
     }

@@ -24,7 +24,8 @@ public final class BusyHost implements AutoCloseable {
         return thread;
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         done.set(true);
     }
 }

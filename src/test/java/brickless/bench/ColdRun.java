@@ -19,7 +19,8 @@ final class ColdRun implements Measurement {
     /** What the shell prints of its children's times, on the last line. */
     private static final Pattern TIMES = Pattern.compile("(\\d+)m([\\d.]+)s (\\d+)m([\\d.]+)s\\s*$");
 
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         Path folder = Files.createTempDirectory("brickless-bench");
         Figures[] rounds = new Figures[effort.nest() ? 2 * effort.rounds() - 1 : 1];
         for (int i = 0; i < rounds.length; i++) {

@@ -17,7 +17,8 @@ final class ComputeCost implements Measurement {
     private static final List<String> LOOPS = List.of("matrix", "sieve", "collatz", "particles", "fibonacci", "sort");
     private static final int ROUNDS = 60;
 
-    @Override public Figures measure(Effort effort) {
+    @Override
+    public Figures measure(Effort effort) {
         int rounds = effort.nest() ? ROUNDS : 1;
         Map<String, Long> plain = measure(Loops.class, rounds);
         Map<String, Long> rewritten = new TreeMap<>();

@@ -22,7 +22,8 @@ final class DrivingRobots extends StepCost {
         super(robots);
     }
 
-    @Override Stepper stepper() {
+    @Override
+    Stepper stepper() {
         RobotGrid grid = new RobotGrid(robots());
         World world = grid.world();
         Arena arena = new Arena(world, grid.entrants(), ArenaSettings.of(false));

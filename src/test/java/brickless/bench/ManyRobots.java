@@ -21,7 +21,8 @@ final class ManyRobots implements Measurement {
         this.robots = robots;
     }
 
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         int seconds = Math.max(1, Math.min(effort.simulatedSeconds(), effort.nest() ? Math.max(10, ROBOT_SECONDS / robots / 2) : 1));
         long begin = System.nanoTime();
         Figures last = round(seconds);

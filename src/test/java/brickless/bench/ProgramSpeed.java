@@ -26,7 +26,8 @@ final class ProgramSpeed implements Measurement {
         this.world = world;
     }
 
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         long begin = System.nanoTime();
         Simulation simulation = simulation(2 * effort.simulatedSeconds());
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {

@@ -28,7 +28,8 @@ import java.util.Optional;
 enum StepTrials {
     /** A regulated metre at 360 deg/s. */
     STRAIGHT("straight metre", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = robot(settings, 0.1 * variant);
             bench.rotate(METRE, METRE, SPEED);
             return place(bench.robot.pose());
@@ -36,7 +37,8 @@ enum StepTrials {
     },
     /** A regulated full turn in place. */
     TURN("turn in place", "°", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = robot(settings, 0.1 * variant);
             bench.rotate(TURN_ROUND, -TURN_ROUND, SPEED);
             return new double[] {bench.headingDegrees()};
@@ -44,7 +46,8 @@ enum StepTrials {
     },
     /** Two seconds of unregulated driving in a curve, one second of rolling out. */
     CURVE("open-loop curve", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = robot(settings, 0.1 * variant);
             bench.drive(100, 60);
             bench.runMillis(2000 + variant);
@@ -55,7 +58,8 @@ enum StepTrials {
     },
     /** A blocked claw: when its motor gives up. */
     STALL("stall found", "ms", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = bench(settings, TestWorlds.with(), clawed(), new Pose2(0, 0, 0));
             bench.runMillis(variant);
             double begin = bench.processor.nowNanos() / NANOS_PER_MILLI;
@@ -69,7 +73,8 @@ enum StepTrials {
     },
     /** Wheels that push a wall: how far the robot has got along it after two seconds. */
     WALL("along an oblique wall", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(), new Pose2(0, 0, 0.9 + 0.1 * variant));
             bench.drive(60, 60);
             bench.runMillis(2000);
@@ -78,7 +83,8 @@ enum StepTrials {
     },
     /** A crate pushed off its centre for two seconds. */
     PUSH("pushed crate", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             Obstacle crate = TestWorlds.crate("crate", 0.2, 0.005 + 0.01 * variant, 0.15, 0.3);
             RobotBench bench = bench(settings, TestWorlds.with(crate), TestWorlds.educator(), new Pose2(0, 0, 0));
             bench.drive(60, 60);
@@ -88,7 +94,8 @@ enum StepTrials {
     },
     /** A row of four touching crates pushed for two seconds. */
     ROW("row of crates", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             List<Obstacle> crates = new ArrayList<>();
             for (int i = 0; i < 4; i++) {
                 crates.add(TestWorlds.crate("c" + i, 0.12 + 0.1 * i, 0.003 * variant * i, 0.098, 0.15));
@@ -101,7 +108,8 @@ enum StepTrials {
     },
     /** Two robots that push each other for two seconds, the second one lighter: where both are. */
     CONTEST("pushing contest", "mm", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             Arena arena = new Arena(TestWorlds.with(), List.of(new Entrant("heavy", weighing(1.2), new Pose2(0, 0, 0)),
                     new Entrant("light", weighing(0.7), new Pose2(0.2, 0.004 * variant, Math.PI))), settings);
             for (RobotBody robot : arena.robots()) {
@@ -118,7 +126,8 @@ enum StepTrials {
     },
     /** A robot that weak motors press against a wall: how far it creeps in five seconds. */
     CREEP("creep at a wall", "mm", 1) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(), new Pose2(0.2, 0, 0));
             bench.drive(12, 12);
             bench.runMillis(3000);
@@ -129,7 +138,8 @@ enum StepTrials {
     },
     /** The gyro against the heading after ten seconds of zigzag. */
     GYRO("gyro against heading", "°", 4) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = bench(exact(settings), TestWorlds.with(), TestWorlds.educator(sensor(SensorType.EV3_GYRO)), new Pose2(0, 0, 0));
             bench.devices.sensor(0).uart().initialise(0);
             double start = bench.headingDegrees();
@@ -142,7 +152,8 @@ enum StepTrials {
     },
     /** Where a robot stands that brakes when its ultrasonic sensor reads less than 300 mm. */
     SONAR("ultrasonic stop", "mm", 8) {
-        @Override double[] run(ArenaSettings settings, int variant) {
+        @Override
+        double[] run(ArenaSettings settings, int variant) {
             RobotBench bench = bench(exact(settings), TestWorlds.with(TestWorlds.wall("wall", 1, -1, 1.05, 1)),
                     TestWorlds.educator(sensor(SensorType.EV3_ULTRASONIC)), new Pose2(0.003 * variant, 0, 0));
             bench.devices.sensor(0).uart().initialise(0);

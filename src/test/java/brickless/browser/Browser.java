@@ -112,7 +112,8 @@ public final class Browser implements AutoCloseable {
         keys(Keys.chord(Keys.SHIFT, key));
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         driver.quit();
     }
 }

@@ -82,7 +82,8 @@ class ViewCommandTest {
             return JsonFields.parse(last);
         }
 
-        @Override public void close() {
+        @Override
+        public void close() {
             process.destroyForcibly();
         }
     }

@@ -47,7 +47,8 @@ final class ExamplePrograms implements AutoCloseable {
         return main.equals("linefollower.LineFollower") ? "line-loop" : "pen";
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         compiled.close();
     }
 

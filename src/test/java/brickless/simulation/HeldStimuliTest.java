@@ -136,15 +136,18 @@ class HeldStimuliTest {
     private static final class Collected implements TraceListener {
         private final List<String> stimuli = new ArrayList<>();
 
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             assertThat(header.world()).isEqualTo("two");
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             assertThat(sample.robots()).hasSize(2);
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             if (event instanceof TraceEvent.StimulusEvent stimulus) {
                 stimuli.add(timeNanos / 1_000_000 + " " + robot + " " + stimulus.text());
             }

@@ -19,7 +19,8 @@ import programs.robots.TwoPollers;
  * most 2 ms per simulated second are wanted.
  */
 public final class KernelCost implements Measurement {
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         long begin = System.nanoTime();
         Figures last = round(effort.simulatedSeconds());
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {
@@ -53,15 +54,18 @@ public final class KernelCost implements Measurement {
     }
 
     private static final class NeverEnding implements RobotSession.ProgramExit {
-        @Override public void exit(int status) {
+        @Override
+        public void exit(int status) {
             throw new IllegalStateException("the program must not end");
         }
 
-        @Override public void endByKeys() {
+        @Override
+        public void endByKeys() {
             throw new IllegalStateException("the program must not end");
         }
 
-        @Override public boolean over() {
+        @Override
+        public boolean over() {
             return false;
         }
     }

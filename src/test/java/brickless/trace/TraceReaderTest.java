@@ -101,15 +101,18 @@ class TraceReaderTest {
         private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         private TraceWriter writer;
 
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             writer = new TraceWriter(bytes, header);
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             writer.sample(sample);
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             writer.event(timeNanos, robot, event);
         }
     }

@@ -87,7 +87,8 @@ final class PadSource implements RunSource {
         Files.writeString(file, PROGRAM);
     }
 
-    @Override public Prepared prepare(OptionalLong seed) {
+    @Override
+    public Prepared prepare(OptionalLong seed) {
         try {
             Program program = new ProgramFinder(file.getParent(), List.of(), Optional.empty()).find(file.toString());
             return new Prepared(program, settings(seed.orElse(1)), List.of(file), time -> "brickless run Pad.java --stimuli stimuli.txt");

@@ -144,7 +144,8 @@ final class Spectator implements AutoCloseable {
         return List.copyOf(messages);
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         stream.close();
     }
 }

@@ -104,7 +104,8 @@ final class Visit implements AutoCloseable {
         return run.report();
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         view.close();
     }
 }

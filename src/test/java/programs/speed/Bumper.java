@@ -24,15 +24,18 @@ public class Bumper {
     private static class Drive implements Behavior {
         private volatile boolean suppressed;
 
-        @Override public boolean takeControl() {
+        @Override
+        public boolean takeControl() {
             return true;
         }
 
-        @Override public void suppress() {
+        @Override
+        public void suppress() {
             suppressed = true;
         }
 
-        @Override public void action() {
+        @Override
+        public void action() {
             suppressed = false;
             LEFT.forward();
             RIGHT.forward();
@@ -50,17 +53,20 @@ public class Bumper {
         private final float[] sample = new float[2];
         private volatile boolean suppressed;
 
-        @Override public boolean takeControl() {
+        @Override
+        public boolean takeControl() {
             touch.fetchSample(sample, 0);
             distance.fetchSample(sample, 1);
             return sample[0] == 1 || sample[1] < 0.25f;
         }
 
-        @Override public void suppress() {
+        @Override
+        public void suppress() {
             suppressed = true;
         }
 
-        @Override public void action() {
+        @Override
+        public void action() {
             suppressed = false;
             LEFT.rotate(-180, true);
             RIGHT.rotate(-360, true);
