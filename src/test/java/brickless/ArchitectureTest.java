@@ -62,7 +62,8 @@ class ArchitectureTest {
                 "picocli..", "org.slf4j.."));
     }
 
-    @BeforeAll static void importClasses() {
+    @BeforeAll
+    static void importClasses() {
         all = new ClassFileImporter().importLocations(List.of(Location.of(mainClasses())));
         assertThat(all.size()).as("classes found").isGreaterThan(100);
     }
@@ -94,17 +95,20 @@ class ArchitectureTest {
                 type -> type.getBaseComponentType().isPrimitive() || matchers.test(type.getBaseComponentType().getPackageName()));
     }
 
-    @Test void everyPackageHasARow() {
+    @Test
+    void everyPackageHasARow() {
         assertThat(all.stream().map(JavaClass::getPackageName).distinct()
                 .filter(name -> TABLE.keySet().stream().noneMatch(row -> name.equals(row) || name.startsWith(row + "."))))
                 .as("packages without a row in the table").isEmpty();
     }
 
-    @Test void noPackageCycles() {
+    @Test
+    void noPackageCycles() {
         slices().matching("brickless.(**)").should().beFreeOfCycles().check(all);
     }
 
-    @Test void theSimulatorNeverReadsTheWallClock() {
+    @Test
+    void theSimulatorNeverReadsTheWallClock() {
         noClasses().that().resideInAPackage("brickless..").and().resideOutsideOfPackages("brickless.kernel", "brickless.kernel.hooks",
                 "brickless.concurrent..", "brickless.cli", "brickless.viewer..")
                 .and().haveSimpleNameNotContaining("WallClock")
@@ -113,7 +117,8 @@ class ArchitectureTest {
                 .orShould().callConstructor(java.util.Random.class).check(all);
     }
 
-    @Test void everyPackageSaysItsJob() throws IOException {
+    @Test
+    void everyPackageSaysItsJob() throws IOException {
         Path sources = Path.of(System.getProperty("brickless.home"), "src/main/java");
         try (Stream<Path> files = Files.walk(sources)) {
             List<Path> silent = files.filter(file -> file.toString().endsWith(".java")).map(Path::getParent).distinct()

@@ -24,7 +24,8 @@ class DocumentedModelsTest {
     private static String document;
     private static Map<String, String> sources;
 
-    @BeforeAll static void read() throws IOException {
+    @BeforeAll
+    static void read() throws IOException {
         document = Files.readString(HOME.resolve("sim/docs/MODELS.md"));
         sources = new HashMap<>();
         try (Stream<Path> files = Files.walk(HOME.resolve("src"))) {
@@ -34,7 +35,8 @@ class DocumentedModelsTest {
         }
     }
 
-    @Test void everyNamedMemberExists() {
+    @Test
+    void everyNamedMemberExists() {
         List<String> missing = new ArrayList<>();
         Matcher member = MEMBER.matcher(document);
         while (member.find()) {
@@ -46,7 +48,8 @@ class DocumentedModelsTest {
     }
 
     /** In the last section a name without a class goes on with the class before. */
-    @Test void everyNumberNamesTestsThatExist() {
+    @Test
+    void everyNumberNamesTestsThatExist() {
         List<String> missing = new ArrayList<>();
         int named = 0;
         for (String row : document.substring(document.indexOf("## Where each number is tested")).split("\n")) {

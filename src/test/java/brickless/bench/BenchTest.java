@@ -27,7 +27,8 @@ class BenchTest {
         assertThat(BenchCase.named(name).measurement().measure(Effort.TRIAL).get(figure)).isNotNaN();
     }
 
-    @Test void aCaseInANewJvmEndsUpInTableAndFile() throws Exception {
+    @Test
+    void aCaseInANewJvmEndsUpInTableAndFile() throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         Path file = folder.resolve("bench.json");
         String version = String.valueOf(Runtime.version().feature());
@@ -38,18 +39,21 @@ class BenchTest {
         assertThat(out.toString(StandardCharsets.UTF_8)).contains("timesBare").containsPattern("physics-1 +" + version);
     }
 
-    @Test void wrongOptionsAreExplained() {
+    @Test
+    void wrongOptionsAreExplained() {
         assertThatThrownBy(() -> new Bench(System.out, "--cases", "nothing")).hasMessageContaining("bumper").hasMessageContaining("cold");
         assertThatThrownBy(() -> new Bench(System.out, "--effort", "huge")).hasMessageContaining("full, short or trial");
         assertThatThrownBy(() -> new Bench(System.out, "--cases")).hasMessageContaining("value");
     }
 
-    @Test void theMedianIsTheMiddleOne() {
+    @Test
+    void theMedianIsTheMiddleOne() {
         assertThat(Figures.median(3, 100, 1)).isEqualTo(3);
         assertThat(Figures.median(4, 1, 2, 100)).isEqualTo(3);
     }
 
-    @Test void figuresSurviveTheWayThroughText() {
+    @Test
+    void figuresSurviveTheWayThroughText() {
         assertThat(Figures.parse(new Figures().put("a", 1.5).put("b", 1234567).json()).values()).containsEntry("a", 1.5).containsEntry("b", 1234567.0);
     }
 }

@@ -54,25 +54,29 @@ public class HotPieces {
     }
 
     /** Controllers and motors of a robot with two motors, for one physics step. */
-    @Benchmark public void motorStep(Robot robot) {
+    @Benchmark
+    public void motorStep(Robot robot) {
         robot.devices.beforeStep(robot.now += Robot.STEP_NANOS);
     }
 
     /** The solver's step of a moving robot. */
-    @Benchmark public void arenaStep(Robot robot) {
+    @Benchmark
+    public void arenaStep(Robot robot) {
         robot.devices.motor(1).beforeStep(0, 8);
         robot.devices.motor(2).beforeStep(0, 8);
         robot.arena.step();
     }
 
     /** A ping of the ultrasonic sensor: nine rays. */
-    @Benchmark public int rayFan(Robot robot) {
+    @Benchmark
+    public int rayFan(Robot robot) {
         robot.devices.sensor(3).afterStep(robot.now += 25_000_000);
         return robot.message[0];
     }
 
     /** A reading of the colour sensor at a place it has not looked at before. */
-    @Benchmark public int colourSpot(Robot robot) {
+    @Benchmark
+    public int colourSpot(Robot robot) {
         robot.place = (robot.place + 1) % 500;
         robot.arena.move(robot.arena.robots().get(0), new Pose2(0.5 + robot.place * 0.001, 0.75, 0));
         return robot.devices.sensor(2).uart().read(robot.message, 0, 1);
@@ -85,7 +89,8 @@ public class HotPieces {
         private RobotClassLoader loader;
 
         /** A new one for every invocation: a kernel runs once. */
-        @Setup(Level.Invocation) public void load() throws Exception {
+        @Setup(Level.Invocation)
+        public void load() throws Exception {
             loader = RobotClassLoader.ofApplication(HotPieces.class.getClassLoader(), LoadingRules.standard().rewriting(Loops.class.getName()));
             kernel = new Kernel(KernelSettings.defaults());
             kernel.bind(loader.bind(kernel));
@@ -99,7 +104,9 @@ public class HotPieces {
     }
 
     /** Two threads that yield to each other. */
-    @Benchmark @OperationsPerInvocation(SWITCHES) public long contextSwitch(Program program) {
+    @Benchmark
+    @OperationsPerInvocation(SWITCHES)
+    public long contextSwitch(Program program) {
         Runnable half = () -> {
             for (int i = 0; i < SWITCHES / 2; i++) {
                 program.kernel.yieldProcessor();
@@ -113,7 +120,9 @@ public class HotPieces {
     }
 
     /** A turn of a rewritten loop: an addition, a multiplication and the charge. */
-    @Benchmark @OperationsPerInvocation(Loops.TURNS) public long tick(Program program) {
+    @Benchmark
+    @OperationsPerInvocation(Loops.TURNS)
+    public long tick(Program program) {
         program.run(() -> {
             try {
                 MethodHandles.publicLookup().findStatic(program.loader.loadClass(Loops.class.getName()), "turns", MethodType.methodType(double.class))

@@ -72,7 +72,8 @@ class CheckCommandTest {
                 words.toArray(String[]::new))).isZero();
     }
 
-    @Test void missingClassesAndMembersAreNamedWithTheProgramsLines() throws IOException {
+    @Test
+    void missingClassesAndMembersAreNamedWithTheProgramsLines() throws IOException {
         Path classes = compiled();
         CommandLineRun run = CommandLineRun.of("check", classes);
         assertThat(run.out().lines()).containsExactly(classes + " uses 3 of leJOS missing here:",
@@ -82,19 +83,22 @@ class CheckCommandTest {
         assertThat(run.status()).isEqualTo(1);
     }
 
-    @Test void aClassThatIsBroughtAlongIsNotMissing() throws IOException {
+    @Test
+    void aClassThatIsBroughtAlongIsNotMissing() throws IOException {
         Path classes = compiled();
         assertThat(CommandLineRun.of("check", classes, "--classpath", folder.resolve("stubs")).out()).contains("Sound.sing").doesNotContain("LaserLamp");
     }
 
-    @Test void sourceThatDoesNotCompileForWantOfLejosNamesItToo() throws IOException {
+    @Test
+    void sourceThatDoesNotCompileForWantOfLejosNamesItToo() throws IOException {
         compiled();
         CommandLineRun run = CommandLineRun.of("check", folder.resolve("Show.java"));
         assertThat(run.status()).isEqualTo(1);
         assertThat(run.out()).contains("does not compile with this leJOS API").contains("Show.java:1: error: cannot find symbol").contains("class LaserLamp");
     }
 
-    @Test void whatIsNoProgramIsRefused() throws IOException {
+    @Test
+    void whatIsNoProgramIsRefused() throws IOException {
         assertThat(CommandLineRun.of("check", folder.resolve("nothing.jar")).status()).isEqualTo(2);
         Path broken = Files.writeString(folder.resolve("Broken.java"), "class Broken {");
         assertThat(CommandLineRun.of("check", broken).status()).isEqualTo(2);

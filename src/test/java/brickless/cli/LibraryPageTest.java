@@ -55,7 +55,8 @@ class LibraryPageTest {
         assertThat(folder.resolve("out/path.svg")).isRegularFile();
     }
 
-    @Test void everyWorldAndRobotIsShown() throws IOException {
+    @Test
+    void everyWorldAndRobotIsShown() throws IOException {
         String page = page();
         Stream.concat(Library.WORLDS.stream().map(name -> "worlds/" + name), Library.ROBOTS.stream().map(name -> "robots/" + name)).forEach(name -> {
             assertThat(page).contains("](images/" + name + ".png)");

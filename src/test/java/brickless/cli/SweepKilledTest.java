@@ -46,7 +46,8 @@ class SweepKilledTest {
         }
     }
 
-    @Test void theFileEndsAsIfNothingHadHappened() throws IOException, InterruptedException {
+    @Test
+    void theFileEndsAsIfNothingHadHappened() throws IOException, InterruptedException {
         Path killed = folder.resolve("killed.jsonl");
         killHalfWay(killed);
         assertThat(lines(killed)).isBetween(2L, 23L);

@@ -88,7 +88,8 @@ class ViewCommandTest {
         }
     }
 
-    @Test void theSavedFileSaysHowToRepeatTheSessionHeadless() throws Exception {
+    @Test
+    void theSavedFileSaysHowToRepeatTheSessionHeadless() throws Exception {
         String program = CommandLineRun.program("square/Square.java").toString();
         String hash;
         try (Command view = new Command("view", program, "--world", "maze", "--seed", "5", "--speed", "4")) {
@@ -116,7 +117,8 @@ class ViewCommandTest {
         assertThat(JsonFields.parse(again.lastLine()).text("traceHash")).as(command).isEqualTo(hash);
     }
 
-    @Test void aWatchedRunHasTheLimitsAndTheTraceOfARun() throws Exception {
+    @Test
+    void aWatchedRunHasTheLimitsAndTheTraceOfARun() throws Exception {
         String program = CommandLineRun.program("square/Square.java").toString();
         CommandLineRun headless = CommandLineRun.of("run", program, "--for", "2s", "--json", "--out", folder.resolve("headless"));
         try (Command view = new Command("run", "--view", program, "--for", "2s", "--speed", "max")) {
@@ -140,14 +142,16 @@ class ViewCommandTest {
         assertThat(run.err()).contains(reason).hasLineCount(1);
     }
 
-    @Test void aProgramThatDoesNotCompileOpensNoView() throws IOException {
+    @Test
+    void aProgramThatDoesNotCompileOpensNoView() throws IOException {
         Path broken = Files.writeString(folder.resolve("Broken.java"), "public class Broken { oops }");
         CommandLineRun run = CommandLineRun.of("view", broken, "--no-browser");
         assertThat(run.status()).isEqualTo(2);
         assertThat(run.err()).contains("Broken.java:1: error:");
     }
 
-    @Test void onAnAttendedBrickAnExceptionWaitsForAKey() throws IOException {
+    @Test
+    void onAnAttendedBrickAnExceptionWaitsForAKey() throws IOException {
         Path thrower = Files.writeString(folder.resolve("Thrower.java"),
                 "public class Thrower { public static void main(String[] args) { throw new IllegalStateException(\"oh\"); } }");
         Path key = Files.writeString(folder.resolve("key.txt"), "2s press ESCAPE 100ms\n");
@@ -166,7 +170,8 @@ class ViewCommandTest {
         return JsonFields.parse(CommandLineRun.of(all.toArray()).lastLine());
     }
 
-    @Test void theBrowserIsOpenedAsTheSystemDoes() {
+    @Test
+    void theBrowserIsOpenedAsTheSystemDoes() {
         assertThat(DesktopBrowser.opener("mac os x", false)).contains(List.of("open"));
         assertThat(DesktopBrowser.opener("windows 11", false)).contains(List.of("rundll32", "url.dll,FileProtocolHandler"));
         assertThat(DesktopBrowser.opener("linux", true)).contains(List.of("xdg-open"));

@@ -24,7 +24,8 @@ class DriveFitTest {
         return new HardwareHints.Device(port, "EV3LargeRegulatedMotor", name);
     }
 
-    @Test void declaredWheelsDecide() {
+    @Test
+    void declaredWheelsDecide() {
         HardwareHints hints = new HardwareHints(List.of(large("A", ""), large("D", "")), List.of(), List.of(
                 new HardwareHints.Wheel("A", 4.32, OptionalDouble.of(6.5), OptionalDouble.empty(), 1, ""),
                 new HardwareHints.Wheel("D", 4.32, OptionalDouble.of(-6.5), OptionalDouble.empty(), 1, "")));
@@ -34,19 +35,22 @@ class DriveFitTest {
         assertThat(fit.trackMillimetres()).isCloseTo(130, within(1e-9));
     }
 
-    @Test void namesTellLeftFromRight() {
+    @Test
+    void namesTellLeftFromRight() {
         HardwareHints hints = new HardwareHints(List.of(large("A", "rightMotor"), large("D", "leftMotor")), List.of(), List.of());
         assertThat(DriveFit.of(hints).left().port()).isEqualTo("D");
         assertThat(DriveFit.of(hints).right().port()).isEqualTo("A");
     }
 
-    @Test void aMediumMotorDoesNotDriveWhenTwoLargeOnesAreThere() {
+    @Test
+    void aMediumMotorDoesNotDriveWhenTwoLargeOnesAreThere() {
         HardwareHints hints = new HardwareHints(List.of(new HardwareHints.Device("A", "EV3MediumRegulatedMotor", "claw"), large("B", ""),
                 large("D", "")), List.of(), List.of());
         assertThat(DriveFit.of(hints).left().port() + DriveFit.of(hints).right().port()).isEqualTo("BD");
     }
 
-    @Test void aProgramWithoutMotorsGetsTheUsualOnes() {
+    @Test
+    void aProgramWithoutMotorsGetsTheUsualOnes() {
         DriveFit fit = DriveFit.of(new HardwareHints(List.of(), List.of(), List.of()));
         assertThat(fit).isEqualTo(new DriveFit(new DriveFit.Wheel("B", "large", 56, 1, false),
                 new DriveFit.Wheel("C", "large", 56, 1, false), 120));

@@ -87,7 +87,8 @@ class FittedRobotsTest {
         }));
     }
 
-    @Test void everyProgramIsTried() throws IOException {
+    @Test
+    void everyProgramIsTried() throws IOException {
         try (Stream<Path> folders = Files.list(PROGRAMS)) {
             assertThat(folders.map(each -> each.getFileName().toString())).containsExactlyInAnyOrderElementsOf(
                     PROGRAMS_MEANT.stream().map(Meant::folder).toList());

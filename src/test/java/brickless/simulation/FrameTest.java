@@ -48,7 +48,8 @@ class FrameTest {
         return seen().beams().stream().filter(beam -> beam.kind().equals(kind)).findFirst().orElseThrow();
     }
 
-    @Test void anUltrasonicBeamEndsAtTheWallItHears() throws DescriptionException {
+    @Test
+    void anUltrasonicBeamEndsAtTheWallItHears() throws DescriptionException {
         Frame.Beam beam = beam("ev3-ultrasonic");
         assertThat(beam.port()).isEqualTo(4);
         assertThat(beam.ends()).hasSize(9).allSatisfy(end -> assertThat(end.x()).isCloseTo(1.05, within(1e-3)));
@@ -58,14 +59,16 @@ class FrameTest {
                 .isCloseTo(2 * (1.05 - beam.from().x()) * Math.tan(Math.toRadians(15)), within(1e-3));
     }
 
-    @Test void anInfraredBeamEndsAtTheWallItSees() throws DescriptionException {
+    @Test
+    void anInfraredBeamEndsAtTheWallItSees() throws DescriptionException {
         Frame.Beam beam = beam("ev3-infrared");
         assertThat(beam.port()).isEqualTo(2);
         assertThat(beam.ends()).hasSize(5).allSatisfy(end -> assertThat(end.x()).isCloseTo(1.05, within(1e-3)));
         assertThat(beam.metres()).as("told in percent of 70 cm").isCloseTo(1.05 - beam.from().x(), within(0.007));
     }
 
-    @Test void aColourSpotHasTheColourOfTheFloor() throws DescriptionException {
+    @Test
+    void aColourSpotHasTheColourOfTheFloor() throws DescriptionException {
         Frame.Spot spot = seen().spots().get(0);
         assertThat(spot.port()).isEqualTo(1);
         assertThat(spot.at().x()).isCloseTo(0.54, within(1e-3));
@@ -74,7 +77,8 @@ class FrameTest {
         assertThat(spot.colour()).contains(new Rgb(200, 40, 10));
     }
 
-    @Test void sensorsThatNobodyReadSeeNothing() throws DescriptionException {
+    @Test
+    void sensorsThatNobodyReadSeeNothing() throws DescriptionException {
         try (Run run = new Simulation(settings().build()).start(ManyEyes.class)) {
             Frame.RobotFrame robot = run.frame().robots().get(0);
             assertThat(robot.beams()).isEmpty();
@@ -83,7 +87,8 @@ class FrameTest {
         }
     }
 
-    @Test void bodiesAreThereOnceTheyMoved() throws DescriptionException {
+    @Test
+    void bodiesAreThereOnceTheyMoved() throws DescriptionException {
         try (Run run = new Simulation(settings().stimuli(StimuliReader.readText("s", "10ms move box 400,300 90")).build()).start(ManyEyes.class)) {
             assertThat(run.frame().bodies()).isEmpty();
             run.advance(Duration.ofMillis(20));
@@ -92,7 +97,8 @@ class FrameTest {
         }
     }
 
-    @Test void lookingChangesNothing() throws DescriptionException {
+    @Test
+    void lookingChangesNothing() throws DescriptionException {
         for (Class<?> program : new Class<?>[] {ManyEyes.class, TwoPollers.class}) {
             SimulationSettings noisy = settings().ideal(false).limit(Duration.ofSeconds(3)).build();
             Run alone = new Simulation(noisy).start(program);

@@ -39,35 +39,41 @@ class HeldStimuliTest {
         return run.robots().get(robot).printedLines();
     }
 
-    @Test void aKeyIsDownFromHoldToRelease() throws DescriptionException {
+    @Test
+    void aKeyIsDownFromHoldToRelease() throws DescriptionException {
         assertThat(printed(run(KeyWatch.class, "1s hold key ENTER", "1500ms release key ENTER", "2s press LEFT 100ms", "3s press UP 100ms"), 0))
                 .containsExactly("2", "16", "1");
     }
 
-    @Test void aTouchSensorIsPressedFromHoldToRelease() throws DescriptionException {
+    @Test
+    void aTouchSensorIsPressedFromHoldToRelease() throws DescriptionException {
         assertThat(printed(run(TouchWatch.class, "1s hold push S1", "2500ms release push S1", "3s push S1 300ms"), 0))
                 .containsExactly("pressed 10", "released 25", "pressed 30", "released 33");
     }
 
-    @Test void aRemoteButtonSendsFromHoldToRelease() throws DescriptionException {
+    @Test
+    void aRemoteButtonSendsFromHoldToRelease() throws DescriptionException {
         assertThat(printed(run(RemoteWatch.class, "2s hold remote 2 TOP_LEFT", "3s release remote 2 TOP_LEFT", "4s remote 2 BEACON 300ms"), 0))
                 .containsExactly("command 1", "command 0", "command 9", "command 0");
     }
 
-    @Test void aStimulusConcernsTheRobotThatItNames() throws DescriptionException {
+    @Test
+    void aStimulusConcernsTheRobotThatItNames() throws DescriptionException {
         Run run = run(KeyWatch.class, "1s press ENTER 100ms on right", "2s hold key LEFT on right", "3s release key LEFT on right",
                 "4s press UP 100ms");
         assertThat(printed(run, 0)).containsExactly("1");
         assertThat(printed(run, 1)).containsExactly("2", "16");
     }
 
-    @Test void aRemoteIsSeenByAllRobotsUnlessItIsPointedAtOne() throws DescriptionException {
+    @Test
+    void aRemoteIsSeenByAllRobotsUnlessItIsPointedAtOne() throws DescriptionException {
         Run run = run(RemoteWatch.class, "2s remote 2 TOP_LEFT 500ms", "3s remote 2 BEACON 300ms on right");
         assertThat(printed(run, 0)).containsExactly("command 1", "command 0");
         assertThat(printed(run, 1)).containsExactly("command 1", "command 0", "command 9", "command 0");
     }
 
-    @Test void theTraceNamesTheRobotThatAStimulusConcerns() throws DescriptionException {
+    @Test
+    void theTraceNamesTheRobotThatAStimulusConcerns() throws DescriptionException {
         Collected trace = new Collected();
         Run run = new Simulation(settings("1s press ENTER 100ms on right", "2s clap 60dB").build())
                 .start(Program.onClassPath(KeyWatch.class.getName()), trace);
@@ -75,13 +81,15 @@ class HeldStimuliTest {
         assertThat(trace.stimuli).containsExactly("1000 right press ENTER 100ms on right", "2000 left clap 60dB");
     }
 
-    @Test void aRobotThatIsNotThereIsRefused() {
+    @Test
+    void aRobotThatIsNotThereIsRefused() {
         assertThatThrownBy(() -> run(KeyWatch.class, "1s press ENTER 100ms on roof")).isInstanceOf(SetupException.class)
                 .hasMessageContaining("no robot named roof").hasMessageContaining("left, right");
     }
 
     /** Planned beforehand or given at the last moment, at the same instants: the same trace. */
-    @Test void stimuliGivenWhileTheRunGoesOnGiveTheTraceOfPlannedOnes() throws DescriptionException {
+    @Test
+    void stimuliGivenWhileTheRunGoesOnGiveTheTraceOfPlannedOnes() throws DescriptionException {
         String[] lines = {"2ms hold key ENTER", "500ms push S1 500ms", "700ms hold remote 2 TOP_LEFT", "1s release key ENTER",
             "1s push S1 200ms", "1s press LEFT 100ms on right", "1100ms press LEFT 100ms on right", "2s move left 600,400 45",
             "2s move left 610,400 45", "2600ms release remote 2 TOP_LEFT", "3s battery 7.1V on right"};
@@ -99,7 +107,8 @@ class HeldStimuliTest {
         assertThat(live.report().traceHash()).isEqualTo(planned.report().traceHash());
     }
 
-    @Test void aKeyHeldByHandWasNotPlannedForAutomaticPresses() throws DescriptionException {
+    @Test
+    void aKeyHeldByHandWasNotPlannedForAutomaticPresses() throws DescriptionException {
         Run planned = new Simulation(settings("4s hold key LEFT", "5s release key LEFT").pressButtons(true).build()).start(KeyWatch.class);
         planned.toEnd();
         Run live = new Simulation(settings().pressButtons(true).build()).start(KeyWatch.class);
@@ -113,7 +122,8 @@ class HeldStimuliTest {
         assertThat(printed(live, 0)).startsWith("2");
     }
 
-    @Test void aRunThatIsClosedHasTheTraceOfOneWithThatLimit() throws DescriptionException {
+    @Test
+    void aRunThatIsClosedHasTheTraceOfOneWithThatLimit() throws DescriptionException {
         for (long millis : new long[] {2, 50, 1_234, 2_000}) {
             Run limited = new Simulation(settings().limit(Duration.ofMillis(millis)).build()).start(TouchWatch.class);
             limited.toEnd();
@@ -124,7 +134,8 @@ class HeldStimuliTest {
         }
     }
 
-    @Test void advancingByNothingReturnsAtOnce() throws DescriptionException {
+    @Test
+    void advancingByNothingReturnsAtOnce() throws DescriptionException {
         try (Run run = new Simulation(settings().build()).start(TouchWatch.class)) {
             run.advance(Duration.ofSeconds(1));
             run.advance(Duration.ZERO);

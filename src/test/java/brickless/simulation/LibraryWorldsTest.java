@@ -34,7 +34,8 @@ class LibraryWorldsTest {
     @TempDir Path folder;
     private static final Map<String, Program> COMPILED = new TreeMap<>();
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         COMPILED.values().forEach(Program::close);
         COMPILED.clear();
     }
@@ -87,7 +88,8 @@ class LibraryWorldsTest {
         return trace.of("zone").stream().filter(line -> line.contains("\"zone\":\"" + zone + "\"") && line.contains("\"entered\":true")).count();
     }
 
-    @Test void theLineFollowerCompletesTenLaps() throws Exception {
+    @Test
+    void theLineFollowerCompletesTenLaps() throws Exception {
         Run run = run("linefollower.LineFollower", settings("line-loop", "educator", 1), 540);
         Trace trace = Trace.in(folder);
         assertThat(entered(trace, "lap")).as("the zone is entered at the beginning of each lap").isGreaterThanOrEqualTo(11);
@@ -97,18 +99,21 @@ class LibraryWorldsTest {
         assertThat(IntStream.range(0, x.length).allMatch(i -> x[i] > 0.2 && x[i] < 2.1 && y[i] > 0.1 && y[i] < 1.35)).as("near the line").isTrue();
     }
 
-    @ParameterizedTest @ValueSource(longs = {2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {2, 3, 4, 5})
     void theLineFollowerKeepsToTheLineWithAnySeed(long seed) throws Exception {
         run("linefollower.LineFollower", settings("line-loop", "auto", seed).stimuli(nudge("robot", 660, 1250, 0, seed)), 115);
         assertThat(entered(Trace.in(folder), "lap")).isGreaterThanOrEqualTo(3);
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
     void theLeftEdgeLeadsOverCrossingsAndGapsToTheRedMark(long seed) throws Exception {
         reachedGoal(run("crossings.LineMaster", settings("line-crossings", "auto", seed).goal(goal("goal")), 300));
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theHandOnTheWallLeadsOutOfTheMaze(long seed) throws Exception {
         Run run = run("maze.MazeSolver", settings("maze", "auto", seed).goal(goal("goal")).stimuli(nudge("robot", 190, 190, 90, seed)), 180);
         reachedGoal(run);
@@ -116,7 +121,8 @@ class LibraryWorldsTest {
         assertThat(run.robot().distanceMetres()).isBetween(11.0, 15.0);
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theCorridorIsDrivenInItsMiddle(long seed) throws Exception {
         Run run = run("corridor.CorridorCentering", settings("corridor", "auto", seed).goal(goal("goal")), 60);
         reachedGoal(run);
@@ -124,12 +130,14 @@ class LibraryWorldsTest {
         assertThat(run.collisions()).isZero();
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
     void theObstacleCourseIsCrossed(long seed) throws Exception {
         reachedGoal(run("obstacles.PlannedRoute", settings("obstacle-course", "auto", seed).goal(goal("goal")), 90));
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
     void allTilesAreNamed(long seed) throws Exception {
         Run run = run("colours.ColourReader", settings("colour-tiles", "auto", seed), 60);
         exited(run);
@@ -139,7 +147,8 @@ class LibraryWorldsTest {
         assertThat(run.zonesEntered()).containsExactlyInAnyOrder("black", "yellow", "red", "blue", "white", "green", "brown");
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theGuardStaysOnTheTableForTwoMinutes(long seed) throws Exception {
         Run run = run("tabletop.TableGuard", settings("table-top", "auto", seed).stimuli(nudge("robot", 430, 500, 0, 10 * seed)), 130);
         exited(run);
@@ -148,7 +157,8 @@ class LibraryWorldsTest {
         assertThat(run.robot().distanceMetres()).isGreaterThan(10);
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
     void whoDoesNotLookFallsOffTheTableAndIsTold(long seed) throws Exception {
         Run run = run("tabletop.Blindfold", settings("table-top", "auto", seed), 60);
         assertThat(run.outcome().kind()).isEqualTo("failed");
@@ -159,7 +169,8 @@ class LibraryWorldsTest {
                 .as("at the edge").isTrue();
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theHeavierRobotPushesTheLighterOneOut(long seed) throws Exception {
         SimulationSettings.Builder settings = settings("sumo-ring", "auto", seed)
                 .stimuli(seed == 1 ? List.of() : nudge("blue", 300, 0, 180, seed));
@@ -174,7 +185,8 @@ class LibraryWorldsTest {
         assertThat(Trace.in(folder).of("fell")).singleElement().asString().contains("\"robot\":\"blue\"");
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theBeaconIsFoundBehindTheScreen(long seed) throws Exception {
         Run run = run("beacon.BeaconSeeker", settings("beacon-room", "auto", seed), 120);
         exited(run);
@@ -182,7 +194,8 @@ class LibraryWorldsTest {
         assertThat(run.zonesEntered()).contains("goal").doesNotContain("second");
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void aCanIsCarriedHome(long seed) throws Exception {
         SimulationSettings.Builder settings = settings("can-field", "gripper", seed);
         Run run = run("carrier.CanCarrier", seed == 1 ? settings : settings.stimuli(nudge("robot", 1000, 1000, 0, seed)), 60);
@@ -210,7 +223,8 @@ class LibraryWorldsTest {
         return home;
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
     void theBrightLampIsFound(long seed) throws Exception {
         Run run = run("light.LightSeeker", settings("lamp-room", "auto", seed), 300);
         exited(run);
@@ -218,7 +232,8 @@ class LibraryWorldsTest {
         assertThat(Math.hypot(run.robot().xMetres() - 1.56, run.robot().yMetres() - 0.46)).as("near the strong lamp").isLessThan(0.35);
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3})
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
     void theTurretMeasuresTheRoomAllRound(long seed) throws Exception {
         Run run = run("scanner.TurretScanner", settings("pen", "medium-turret", seed), 30);
         exited(run);

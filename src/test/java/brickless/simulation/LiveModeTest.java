@@ -50,7 +50,8 @@ class LiveModeTest {
                 + " {\n    public static void main(String[] args) throws Exception {\n" + body + "\n    }\n}\n", StandardCharsets.UTF_8);
     }
 
-    @Test void aProgramWithBusyLoopsDrivesAndEndsAndLeavesTheFilesOfItsRun() throws Exception {
+    @Test
+    void aProgramWithBusyLoopsDrivesAndEndsAndLeavesTheFilesOfItsRun() throws Exception {
         Path files = folder.resolve("run");
         Ended ended = run(PROGRAMS.resolve("busywait/BusyWait.java"), "-Dbrickless.out=" + files);
         assertThat(ended.status()).isZero();
@@ -61,7 +62,8 @@ class LiveModeTest {
         assertThat(files).isDirectoryNotContaining("glob:**.part");
     }
 
-    @Test void theExampleOfTheDocumentationRunsAsItSays() throws Exception {
+    @Test
+    void theExampleOfTheDocumentationRunsAsItSays() throws Exception {
         String page = Files.readString(PROGRAMS.resolve("../docs/LIVE-MODE.md"));
         Path source = Files.writeString(folder.resolve("Turn.java"), fenced(page, "```java\n"));
         String[] words = fenced(page, "```\njava ").strip().split(" ");
@@ -77,7 +79,8 @@ class LiveModeTest {
         return page.substring(begin, page.indexOf("```", begin));
     }
 
-    @Test void worldRobotAndSeedComeFromSystemProperties() throws Exception {
+    @Test
+    void worldRobotAndSeedComeFromSystemProperties() throws Exception {
         Path files = folder.resolve("run");
         Ended ended = run(source("Silent", "Motor.A.getTachoCount();"), "-Dbrickless.world=line-loop", "-Dbrickless.robot=educator",
                 "-Dbrickless.seed=42", "-Dbrickless.out=" + files);
@@ -86,21 +89,24 @@ class LiveModeTest {
                 .contains("\"seed\":42").contains("\"backend\":\"live\"");
     }
 
-    @Test void anUncaughtExceptionIsPrintedAndFailsTheRun() throws Exception {
+    @Test
+    void anUncaughtExceptionIsPrintedAndFailsTheRun() throws Exception {
         Ended ended = run(source("Broken", "Motor.A.getTachoCount();\nthrow new IllegalStateException(\"wheel lost\");"));
         assertThat(ended.status()).isEqualTo(1);
         assertThat(ended.err()).contains("Exception in thread \"main\" java.lang.IllegalStateException: wheel lost")
                 .contains("at Broken.main(Broken.java:5)").contains("Broken in pen: failed");
     }
 
-    @Test void exitFromAnyThreadEndsTheRunWhileOthersUseTheBrick() throws Exception {
+    @Test
+    void exitFromAnyThreadEndsTheRunWhileOthersUseTheBrick() throws Exception {
         Ended ended = run(source("Leaving", "Thread poll = new Thread(() -> { while (true) { Motor.B.getTachoCount(); } });\npoll.start();\n"
                 + "Motor.B.forward();\nRuntime.getRuntime().addShutdownHook(new Thread(() -> Motor.B.stop()));\nSystem.exit(3);"));
         assertThat(ended.status()).isEqualTo(3);
         assertThat(ended.err()).contains("Leaving in pen: exited");
     }
 
-    @Test void aWorldThatIsNotThereIsNamed() throws Exception {
+    @Test
+    void aWorldThatIsNotThereIsNamed() throws Exception {
         Ended ended = run(source("Lost", "Motor.A.forward();"), "-Dbrickless.world=atlantis");
         assertThat(ended.status()).isEqualTo(1);
         assertThat(ended.err()).contains("SetupException: atlantis: no such world");

@@ -28,11 +28,13 @@ class PilotProgramsTest {
 
     private static ExamplePrograms programs;
 
-    @BeforeAll static void compile() throws ProgramException {
+    @BeforeAll
+    static void compile() throws ProgramException {
         programs = ExamplePrograms.compiled();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -72,7 +74,8 @@ class PilotProgramsTest {
         assertThat(run.robot().yMetres()).isCloseTo(1.5, within(0.05));
     }
 
-    @Test void odometryIsTheTruthOnAnIdealFloor() throws DescriptionException {
+    @Test
+    void odometryIsTheTruthOnAnIdealFloor() throws DescriptionException {
         Run run = run("thereandback.ThereAndBack", OPEN_FLOOR, true, 1);
         double x = (run.robot().xMetres() - 1) * 1000;
         double y = -(run.robot().yMetres() - 1.5) * 1000;
@@ -86,7 +89,8 @@ class PilotProgramsTest {
         }
     }
 
-    @Test void odometryKnowsBackwardFromForward() throws DescriptionException {
+    @Test
+    void odometryKnowsBackwardFromForward() throws DescriptionException {
         Run run = run("thereandback.ThereAndBack", OPEN_FLOOR, true, 1);
         assertThat(run.robot().printedLines().get(0)).startsWith("forward | 600.");
         assertThat(run.robot().printedLines().get(1)).matches("backward \\| (199|200)\\..* \\| (199|200)\\..*");

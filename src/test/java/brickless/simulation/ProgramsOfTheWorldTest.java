@@ -19,7 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ProgramsOfTheWorldTest {
     @TempDir Path folder;
 
-    @BeforeEach void writePrograms() throws IOException {
+    @BeforeEach
+    void writePrograms() throws IOException {
         write("first/FirstToLeave.java", "import lejos.hardware.motor.Motor; public class FirstToLeave { public static void main(String[] args) {"
                 + " Motor.A.rotate(360, true); Motor.D.rotate(360); System.out.println(\"first\"); } }");
         write("second/LastToLeave.java", "import lejos.hardware.motor.Motor; import lejos.utility.Delay; public class LastToLeave {"
@@ -44,7 +45,8 @@ class ProgramsOfTheWorldTest {
         return run;
     }
 
-    @Test void eachRobotRunsItsOwnAndIsFittedToIt() throws Exception {
+    @Test
+    void eachRobotRunsItsOwnAndIsFittedToIt() throws Exception {
         Run run = run("first", "second/LastToLeave.java");
         assertThat(run.outcome().exitStatus()).contains(0);
         assertThat(run.time().toMillis()).as("the last program ends the run").isBetween(5000L, 7000L);
@@ -56,7 +58,8 @@ class ProgramsOfTheWorldTest {
                 note -> assertThat(note).contains("left wheel on B", "right wheel on C"));
     }
 
-    @Test void whatWasCompiledForThemIsRemoved() throws Exception {
+    @Test
+    void whatWasCompiledForThemIsRemoved() throws Exception {
         run("first/FirstToLeave.java", "second/LastToLeave.java");
         assertThatThrownBy(() -> run("first/FirstToLeave.java", "second/Missing.java")).isInstanceOf(SetupException.class)
                 .hasMessageContaining("second/Missing.java: no such program");
@@ -67,7 +70,8 @@ class ProgramsOfTheWorldTest {
         }
     }
 
-    @Test void anExceptionOfOneFailsTheRunWhenAllHaveEnded() throws Exception {
+    @Test
+    void anExceptionOfOneFailsTheRunWhenAllHaveEnded() throws Exception {
         Run run = run("second/Breaks.java", "second/LastToLeave.java");
         assertThat(run.outcome().kind()).isEqualTo("failed");
         assertThat(run.outcome().error().orElseThrow()).contains("ArrayIndexOutOfBoundsException", "Breaks.java:1");

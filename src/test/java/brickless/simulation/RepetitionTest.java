@@ -19,11 +19,13 @@ class RepetitionTest {
     private static final Duration LENGTH = Duration.ofSeconds(20);
     private static ExamplePrograms programs;
 
-    @BeforeAll static void compile() throws ProgramException {
+    @BeforeAll
+    static void compile() throws ProgramException {
         programs = ExamplePrograms.compiled();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -37,7 +39,9 @@ class RepetitionTest {
         return run.report();
     }
 
-    @ParameterizedTest @MethodSource("backends") void aRunIsTheSameEveryTimeWhileTheHostIsBusy(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aRunIsTheSameEveryTimeWhileTheHostIsBusy(BackendChoice backend) throws Exception {
         RunReport first = run("sensorthreads.SensorThreads", BackendChoice.THREADS);
         assertThat(first.contextSwitches()).as("there is something to go wrong").isGreaterThan(1_000);
         try (BusyHost busy = new BusyHost()) {
@@ -47,7 +51,9 @@ class RepetitionTest {
         }
     }
 
-    @ParameterizedTest @MethodSource("backends") void aProgramOfOneThreadNeedsNoSwitches(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aProgramOfOneThreadNeedsNoSwitches(BackendChoice backend) throws Exception {
         assertThat(run("square.Square", backend).contextSwitches()).as("only the threads of leJOS itself start and end").isLessThan(10);
     }
 }

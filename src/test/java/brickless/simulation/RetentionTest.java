@@ -34,11 +34,13 @@ class RetentionTest {
     private static final long PATIENCE_MILLIS = 30_000;
     private static ExamplePrograms programs;
 
-    @BeforeAll static void compile() throws ProgramException {
+    @BeforeAll
+    static void compile() throws ProgramException {
         programs = ExamplePrograms.compiled();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -50,7 +52,9 @@ class RetentionTest {
         return new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(Duration.ofMillis(millis)).build()).start(programs.program(THREADS));
     }
 
-    @ParameterizedTest @MethodSource("backends") void noThreadRemains(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void noThreadRemains(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         Run run = run(backend, 500);
         run.toEnd();
@@ -66,7 +70,9 @@ class RetentionTest {
         }
     }
 
-    @ParameterizedTest @MethodSource("backends") void aRunThatIsClosedBeforeItsEndIsOver(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aRunThatIsClosedBeforeItsEndIsOver(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         try (Run run = run(backend, 60_000)) {
             run.advance(Duration.ofMillis(200));
@@ -74,7 +80,9 @@ class RetentionTest {
         assertNoNewThread(before);
     }
 
-    @ParameterizedTest @MethodSource("backends") void anInterruptOfTheThreadThatDrivesTheRunEndsIt(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void anInterruptOfTheThreadThatDrivesTheRunEndsIt(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         Run run = run(backend, 3_600_000);
         Thread.currentThread().interrupt();
@@ -85,7 +93,9 @@ class RetentionTest {
         assertNoNewThread(before);
     }
 
-    @ParameterizedTest @MethodSource("backends") void classesAreCollectedAndTheHeapDoesNotGrow(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void classesAreCollectedAndTheHeapDoesNotGrow(BackendChoice backend) throws Exception {
         Set<Thread> threads = Thread.getAllStackTraces().keySet();
         List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
         for (int i = 0; i < WARM_UP; i++) {
@@ -119,7 +129,8 @@ class RetentionTest {
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     }
 
-    @Test void compiledClassesAreRemovedHoweverTheRunEnds(@TempDir Path folder) throws Exception {
+    @Test
+    void compiledClassesAreRemovedHoweverTheRunEnds(@TempDir Path folder) throws Exception {
         assertLeavesNothing(folder, "public class Fine { public static void main(String[] a) { } }", "Fine", 0);
         assertLeavesNothing(folder, "public class Fails { public static void main(String[] a) { throw new RuntimeException(); } }", "Fails", 1);
         assertLeavesNothing(folder, "public class Wrong { int i = \"no number\"; }", "Wrong", 2);

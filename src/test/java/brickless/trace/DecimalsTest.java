@@ -14,12 +14,14 @@ class DecimalsTest {
         assertThat(Decimals.text(value, places)).isEqualTo(expected);
     }
 
-    @Test void numbersThatJsonDoesNotKnowAreNull() {
+    @Test
+    void numbersThatJsonDoesNotKnowAreNull() {
         assertThat(Decimals.text(Double.NaN, 3)).isEqualTo("null");
         assertThat(Decimals.text(Double.POSITIVE_INFINITY, 3)).isEqualTo("null");
     }
 
-    @Test void secondsAreCutToMicroseconds() {
+    @Test
+    void secondsAreCutToMicroseconds() {
         assertThat(Decimals.seconds(1_234_567_899L)).isEqualTo("1.234567");
         assertThat(Decimals.seconds(60_000_000_000L)).isEqualTo("60");
         assertThat(Decimals.seconds(2_000_000L)).isEqualTo("0.002");

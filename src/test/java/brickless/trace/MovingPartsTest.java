@@ -26,11 +26,13 @@ class MovingPartsTest {
     @TempDir static Path folder;
     private static Browser browser;
 
-    @BeforeAll static void startTheBrowser() {
+    @BeforeAll
+    static void startTheBrowser() {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         browser.close();
     }
 
@@ -58,7 +60,8 @@ class MovingPartsTest {
                 .mapToDouble(side -> ((Number) browser.value("1 * " + box + "." + side)).doubleValue()).toArray();
     }
 
-    @Test void jawsClose() throws Exception {
+    @Test
+    void jawsClose() throws Exception {
         open("gripper", 0);
         double[] openLeft = box("#claw polygon:nth-of-type(1)");
         double[] openRight = box("#claw polygon:nth-of-type(2)");
@@ -73,7 +76,8 @@ class MovingPartsTest {
         assertThat(box("#claw rect")).as("the bar stays").containsExactly(bar, within(0.01));
     }
 
-    @Test void turretTurnsToTheLeft() throws Exception {
+    @Test
+    void turretTurnsToTheLeft() throws Exception {
         open("medium-turret", 0);
         double[] ahead = box("#infrared");
         open("medium-turret", 10);

@@ -26,11 +26,13 @@ class ReportContentTest {
     @TempDir static Path folder;
     private static Browser browser;
 
-    @BeforeAll static void startTheBrowser() {
+    @BeforeAll
+    static void startTheBrowser() {
         browser = new Browser(390, 844);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         browser.close();
     }
 
@@ -54,7 +56,8 @@ class ReportContentTest {
         return new TraceEvent.BehaviourEvent(change, 0, behaviour);
     }
 
-    @Test void nothingThatTheProgramOrTheWorldSaysRuns() throws IOException {
+    @Test
+    void nothingThatTheProgramOrTheWorldSaysRuns() throws IOException {
         browser.open(page("hostile", SyntheticRun.scene(HOSTILE_WORLD), 1.0, new TraceEvent.PrintEvent(NASTY, false),
                 2.0, new TraceEvent.ExceptionEvent(NASTY, NASTY), 3.0, new TraceEvent.ArbitratorEvent(0, List.of(NASTY))), "#t=5");
         assertThat(browser.value("document.body.dataset.hacked")).isNull();
@@ -64,7 +67,8 @@ class ReportContentTest {
                 .isEqualTo(0L);
     }
 
-    @Test void whoIgnoresSuppressForMoreThanASecondIsShownInRed() throws IOException {
+    @Test
+    void whoIgnoresSuppressForMoreThanASecondIsShownInRed() throws IOException {
         browser.open(page("stubborn", SyntheticRun.scene(), 0.0, new TraceEvent.ArbitratorEvent(0, List.of("a.Stubborn", "a.Polite")),
                 1.0, behaviour("active", 0), 2.0, behaviour("wants", 1), 2.0, behaviour("suppressed", 0), 4.5, behaviour("active", -1),
                 4.5, behaviour("active", 1), 6.0, behaviour("suppressed", 1), 6.9, behaviour("active", -1)), "#t=4");
@@ -77,7 +81,8 @@ class ReportContentTest {
                 .doesNotContain("Polite ignores");
     }
 
-    @Test void aGoalThatWasMissedIsInTheHead() throws IOException {
+    @Test
+    void aGoalThatWasMissedIsInTheHead() throws IOException {
         String figures = "{\"distanceMetres\":1,\"collisions\":0,\"zones\":[],\"traceHash\":\"0123456789\",\"error\":null%s}";
         String outcome = "[document.querySelector('.outcome').textContent, document.querySelector('.outcome').className]";
         browser.open(ended(figures.formatted(",\"goal\":\"zone:home\",\"passed\":false")), "");
@@ -100,13 +105,15 @@ class ReportContentTest {
         return page;
     }
 
-    @Test void nestedBehavioursHaveTheirOwnNames() throws IOException {
+    @Test
+    void nestedBehavioursHaveTheirOwnNames() throws IOException {
         browser.open(page("names", SyntheticRun.scene(), 0.0, new TraceEvent.ArbitratorEvent(0, List.of("a.b.Robot$Cruise", "a.Turn", "Robot$1", "Stop"))), "");
         assertThat(browser.value("[...document.querySelectorAll('.lane')].map((lane) => lane.dataset.behaviour)"))
                 .isEqualTo(List.of("Stop", "Robot$1", "Turn", "Cruise"));
     }
 
-    @Test void keysLedsAndSoundsAreShownWhileTheyLast() throws IOException {
+    @Test
+    void keysLedsAndSoundsAreShownWhileTheyLast() throws IOException {
         Path page = page("panel", SyntheticRun.scene(), 1.0, new TraceEvent.KeyEvent("ENTER", true, "auto"), 1.0, new TraceEvent.LedEvent(5),
                 1.0, new TraceEvent.SoundEvent("tone", 440, 500, 50), 1.3, new TraceEvent.KeyEvent("ENTER", false, "auto"));
         browser.open(page, "#t=1.1");
@@ -119,19 +126,22 @@ class ReportContentTest {
         assertThat(browser.value("document.querySelector('.pad').dataset.led")).as("flashing, in the dark half").isEqualTo("off");
     }
 
-    @Test void aRobotWithoutADrawingIsShownByItsOutline() throws IOException {
+    @Test
+    void aRobotWithoutADrawingIsShownByItsOutline() throws IOException {
         browser.open(page("plain", SyntheticRun.scene()), "");
         assertThat(browser.value("document.querySelector('.layer.robot').shadowRoot.querySelector('polygon').getAttribute('points')"))
                 .isEqualTo("-100,-50 100,-50 100,50 -100,50");
     }
 
-    @Test void thePageIsNoWiderThanAPhone() throws IOException {
+    @Test
+    void thePageIsNoWiderThanAPhone() throws IOException {
         browser.open(page("phone", SyntheticRun.scene(), 0.0, new TraceEvent.ArbitratorEvent(0, List.of("a.QuiteALongNameForABehaviour")),
                 1.0, new TraceEvent.PrintEvent("long ".repeat(100), false)), "");
         assertThat(browser.value("document.documentElement.scrollWidth")).isEqualTo(390L);
     }
 
-    @Test void tenBusyMinutesOpen() throws IOException {
+    @Test
+    void tenBusyMinutesOpen() throws IOException {
         ReportRecording recording = new ReportRecording();
         SyntheticRun.busy(recording, 600);
         Path page = folder.resolve("busy.html");

@@ -46,7 +46,8 @@ class RobotOutlineTest {
         return ring.stream().mapToDouble(p -> Math.abs(p.y())).min().orElseThrow();
     }
 
-    @Test void openClawIsDrawnAsInItsFile() {
+    @Test
+    void openClawIsDrawnAsInItsFile() {
         assertThat(at(clawed(false), 0)).containsExactly(CHASSIS, LEFT_JAW, RIGHT_JAW, CROSSBAR);
         assertThat(RobotOutline.of(clawed(false), List.of())).as("without its motor").contains(LEFT_JAW);
     }
@@ -66,7 +67,8 @@ class RobotOutlineTest {
         }
     }
 
-    @Test void jawsCloseNoFurtherThanTheirStop() {
+    @Test
+    void jawsCloseNoFurtherThanTheirStop() {
         assertThat(at(clawed(false), 500)).isEqualTo(at(clawed(false), 90));
         assertThat(at(clawed(false), -30)).isEqualTo(at(clawed(false), 0));
     }
@@ -82,7 +84,8 @@ class RobotOutlineTest {
         assertThat(nose.y()).isCloseTo(y, within(1e-9));
     }
 
-    @Test void pathDrawingShowsClosedJawsAtTheEnd() {
+    @Test
+    void pathDrawingShowsClosedJawsAtTheEnd() {
         PathDrawing drawing = new PathDrawing();
         drawing.sample(new Sample(0, List.of(new RobotSample("robot", new Pose2(0, 0, 0), List.of(new MotorSample('A', 0, 0, 0, 0)),
                 List.of(), 8)), List.of()));

@@ -60,7 +60,8 @@ class SampleLineTest {
         return new Sample(random.nextInt(2_000_000_000) * 1_000L, robots, bodies);
     }
 
-    @Test void oneSampleByHand() {
+    @Test
+    void oneSampleByHand() {
         Sample sample = new Sample(1_050_000_000L, List.of(new RobotSample("robot", new Pose2(0.5, -1.25, 0), List.of(new MotorSample('B', 90, -0.06, 100, 0.1234)),
                 List.of(new SensorSample(4, "ev3-ultrasonic", new double[] {255})), 8.2)), List.of());
         assertThat(written(sample)).isEqualTo("{\"t\":1.05,\"type\":\"sample\",\"robots\":[{\"name\":\"robot\",\"x\":0.5,\"y\":-1.25,\"heading\":0,"
@@ -68,14 +69,16 @@ class SampleLineTest {
                 + "\"sensors\":[{\"port\":4,\"kind\":\"ev3-ultrasonic\",\"values\":[255]}],\"volts\":8.2}]}\n");
     }
 
-    @Test void randomSamplesAreWhatAnOrdinaryWriterWrites() {
+    @Test
+    void randomSamplesAreWhatAnOrdinaryWriterWrites() {
         for (int seed = 0; seed < 500; seed++) {
             Sample sample = random(new Random(seed));
             assertThat(written(sample)).as("seed %d", seed).isEqualTo(expected(sample));
         }
     }
 
-    @Test void longLinesFindRoom() {
+    @Test
+    void longLinesFindRoom() {
         List<BodySample> bodies = new ArrayList<>();
         for (int i = 0; i < 2_000; i++) {
             bodies.add(new BodySample("crate" + i, new Pose2(i / 7.0, -i / 3.0, i)));

@@ -27,11 +27,13 @@ class SensorPlotsTest {
     @TempDir static Path folder;
     private static Browser browser;
 
-    @BeforeAll static void startTheBrowser() {
+    @BeforeAll
+    static void startTheBrowser() {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         browser.close();
     }
 
@@ -74,7 +76,8 @@ class SensorPlotsTest {
         return values;
     }
 
-    @Test void distancesAreCentimetresOrNoEcho() throws IOException {
+    @Test
+    void distancesAreCentimetresOrNoEcho() throws IOException {
         open("ev3-ultrasonic", "US-DIST-CM", v(243), v(2550));
         assertThat(shown(0)).containsExactly("distance, cm = 24.3", "24.3 cm");
         assertThat(shown(1)).containsExactly("distance, cm = no echo", "no echo");
@@ -85,12 +88,14 @@ class SensorPlotsTest {
         assertThat(shown(1)).containsExactly("distance, cm = no echo", "no echo");
     }
 
-    @Test void aGyroTellsAngleAndRate() throws IOException {
+    @Test
+    void aGyroTellsAngleAndRate() throws IOException {
         open("ev3-gyro", "GYRO-G&A", v(-90, 12));
         assertThat(shown(0)).containsExactly("angle, ° clockwise = −90", "rate, °/s clockwise = 12", "−90° 12 °/s");
     }
 
-    @Test void aColourSensorHasAPlotForEachModeThatItWasIn() throws IOException {
+    @Test
+    void aColourSensorHasAPlotForEachModeThatItWasIn() throws IOException {
         open("ev3-color", Map.of(0, "COL-COLOR", 1, "COL-REFLECT", 2, "RGB-RAW", 3, "COL-COLOR"), v(5), v(43), v(300, 20, 7), v(2));
         assertThat(shown(0)).containsExactly("colour = red", "reflected light, % = –", "light parts, of 1020 = red– green– blue–", "red");
         assertThat(shown(1)).containsExactly("colour = –", "reflected light, % = 43", "light parts, of 1020 = red– green– blue–", "43 %");
@@ -100,13 +105,15 @@ class SensorPlotsTest {
                 .isEqualTo(List.of("S2 colour", "S2 reflected light", "S2 light parts"));
     }
 
-    @Test void aTouchSensorIsPressedOrReleased() throws IOException {
+    @Test
+    void aTouchSensorIsPressedOrReleased() throws IOException {
         open("ev3-touch", "", v(0), v(1));
         assertThat(shown(0)).containsExactly(" = released", "released");
         assertThat(shown(1)).containsExactly(" = pressed", "pressed");
     }
 
-    @Test void statesArePaintedAsBlocks() throws IOException {
+    @Test
+    void statesArePaintedAsBlocks() throws IOException {
         open("ev3-touch", "", v(0), v(1), v(1), v(0), v(0));
         String look = "(() => { const c = document.querySelector('.plots-panel .track:not([hidden]) canvas'); const at = (part) => "
                 + "c.getContext('2d').getImageData(Math.round(c.width * part), c.height / 2, 1, 1).data[3] > 0; return [at(0.1), at(0.5), at(0.9)]; })()";
@@ -114,7 +121,8 @@ class SensorPlotsTest {
         assertThat(browser.value(look)).isEqualTo(List.of(false, true, false));
     }
 
-    @Test void infraredChannelsHaveNames() throws IOException {
+    @Test
+    void infraredChannelsHaveNames() throws IOException {
         open("ev3-infrared", "IR-SEEK", v(-12, 40, 0, -128, 0, -128, 0, -128));
         assertThat(shown(0)).first().isEqualTo("bearing, −25 to 25 = channel 1−12 channel 20 channel 30 channel 40");
         assertThat(shown(0).get(1)).isEqualTo("distance, of 100 = channel 140 channel 2– channel 3– channel 4–");
@@ -122,7 +130,8 @@ class SensorPlotsTest {
         assertThat(shown(0)).containsExactly("remote = channel 1no button channel 2top right channel 3no button channel 4no button", "top right");
     }
 
-    @Test void withoutAKnownModeTheNumbersAreShownAsTheyWereSent() throws IOException {
+    @Test
+    void withoutAKnownModeTheNumbersAreShownAsTheyWereSent() throws IOException {
         open("ev3-color", "", v(5));
         assertThat(shown(0)).containsExactly("as sent = 05.0", "5.0");
     }

@@ -52,16 +52,20 @@ class TraceReaderTest {
         return trace;
     }
 
-    @Test void theHeaderComesBack() throws Exception {
+    @Test
+    void theHeaderComesBack() throws Exception {
         assertThat(read(written(END)).header).isEqualTo(HEADER);
     }
 
-    @ParameterizedTest @MethodSource("everyKindOfEvent") void anEventComesBack(TraceEvent event) throws Exception {
+    @ParameterizedTest
+    @MethodSource("everyKindOfEvent")
+    void anEventComesBack(TraceEvent event) throws Exception {
         String text = event == END ? written(END) : written(event, END);
         assertThat(read(text).events.get(0)).isEqualTo(new CollectedTrace.Happening(1_500_001_000L, "r", event));
     }
 
-    @Test void aSampleComesBackAsItWasRounded() throws Exception {
+    @Test
+    void aSampleComesBackAsItWasRounded() throws Exception {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         TraceWriter writer = new TraceWriter(bytes, HEADER);
         RobotSample robot = new RobotSample("r", new Pose2(0.123456, -2, 1), List.of(new MotorSample('B', 90.126, -360.04, 41.55, 0.1204)),
@@ -79,7 +83,8 @@ class TraceReaderTest {
         assertThat(sample.bodies()).containsExactly(new BodySample("box", new Pose2(0.01, 0, 0)));
     }
 
-    @Test void writtenAgainItIsTheSameTraceWithTheSameHash() throws Exception {
+    @Test
+    void writtenAgainItIsTheSameTraceWithTheSameHash() throws Exception {
         ByteArrayOutputStream first = new ByteArrayOutputStream();
         String hash = written(first);
         Rewriting again = new Rewriting();
@@ -117,13 +122,15 @@ class TraceReaderTest {
         }
     }
 
-    @Test void aTraceOfAnotherVersionIsRefused() {
+    @Test
+    void aTraceOfAnotherVersionIsRefused() {
         String text = written(END).replace("\"version\":1", "\"version\":2");
         assertThatThrownBy(() -> read(text)).isInstanceOf(TraceException.class)
                 .hasMessage("trace.jsonl:1: trace version 2 is not known; this program reads version 1");
     }
 
-    @Test void aTraceCutAnywhereIsRefusedWithTheLine() {
+    @Test
+    void aTraceCutAnywhereIsRefusedWithTheLine() {
         String whole = written(new TraceEvent.LedEvent(1), new TraceEvent.PrintEvent("text", false), END);
         for (int length = 0; length < whole.length(); length++) {
             String cut = whole.substring(0, length);
@@ -151,12 +158,14 @@ class TraceReaderTest {
         assertThatThrownBy(() -> read(text)).isInstanceOf(TraceException.class).hasMessage("trace.jsonl:2: " + problem);
     }
 
-    @Test void linesBehindTheEndAreRefused() {
+    @Test
+    void linesBehindTheEndAreRefused() {
         String text = written(END, new TraceEvent.LedEvent(1));
         assertThatThrownBy(() -> read(text)).hasMessage("trace.jsonl:3: goes on after the end of the run");
     }
 
-    @Test void aFileThatIsNotThereIsNamed() {
+    @Test
+    void aFileThatIsNotThereIsNamed() {
         assertThatThrownBy(() -> TraceReader.read(folder.resolve("trace.jsonl"), new CollectedTrace()))
                 .isInstanceOf(TraceException.class).hasMessageEndingWith("trace.jsonl: no such file");
     }

@@ -32,7 +32,8 @@ class LifeOfAViewTest {
                 .filter(name -> name.startsWith("brickless") || name.startsWith("HTTP-Dispatcher")).sorted().toList();
     }
 
-    @Test void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
+    @Test
+    void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
         List<String> before = threads();
         try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitTime(60);
@@ -46,7 +47,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aViewThatNobodyWatchedNeverRan() throws Exception {
+    @Test
+    void aViewThatNobodyWatchedNeverRan() throws Exception {
         Path out = folder.resolve("out");
         try (Visit visit = Visit.to(TwoPollers.class, Visit.settings().out(Optional.of(out)).build(), 1)) {
             visit.view.close();
@@ -57,7 +59,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void theFilesOfTheRunAndWhatWasTouchedAreWritten() throws Exception {
+    @Test
+    void theFilesOfTheRunAndWhatWasTouchedAreWritten() throws Exception {
         Path out = folder.resolve("out");
         try (Visit visit = Visit.to(KeyWatch.class, Visit.settings().out(Optional.of(out)).build(), 1);
                 Spectator spectator = Spectator.of(visit.view)) {
@@ -70,7 +73,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void whatAViewerHoldsIsLetGoWhenItGoes() throws Exception {
+    @Test
+    void whatAViewerHoldsIsLetGoWhenItGoes() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator stays = Spectator.of(visit.view)) {
             try (Spectator goes = Spectator.of(visit.view)) {
                 long viewer = goes.await("begin").fields().integer("viewer");
@@ -81,7 +85,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aTouchMovesAHeldRunOnByOneStepAndNothingElseDoes() throws Exception {
+    @Test
+    void aTouchMovesAHeldRunOnByOneStepAndNothingElseDoes() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator stays = Spectator.of(visit.view)) {
             stays.awaitTime(0.05);
             visit.command("{'do':'pause'}");
@@ -98,7 +103,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void whatTwoViewersHoldIsHeldUntilBothLetGo() throws Exception {
+    @Test
+    void whatTwoViewersHoldIsHeldUntilBothLetGo() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             visit.command("{'do':'hold','what':'key ENTER','down':true,'viewer':11}");
             visit.command("{'do':'hold','what':'key ENTER','down':true,'viewer':12}");
@@ -110,7 +116,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void holdsOfNobodyEndWithTheLastViewer() throws Exception {
+    @Test
+    void holdsOfNobodyEndWithTheLastViewer() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1)) {
             try (Spectator only = Spectator.of(visit.view)) {
                 visit.command("{'do':'hold','what':'key LEFT','down':true}");
@@ -134,7 +141,8 @@ class LifeOfAViewTest {
         return socket;
     }
 
-    @Test void aViewerThatSleepsDelaysNobodyAndCatchesUpWhenItWakes() throws Exception {
+    @Test
+    void aViewerThatSleepsDelaysNobodyAndCatchesUpWhenItWakes() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator awake = Spectator.of(visit.view)) {
             double asleep = awake.awaitTime(60).number("t");
             awake.await("frame", frame -> frame.number("t") > asleep + 60);
@@ -154,7 +162,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aRestartedServerHasTheSameAddressIfPortAndTokenAreGiven() throws Exception {
+    @Test
+    void aRestartedServerHasTheSameAddressIfPortAndTokenAreGiven() throws Exception {
         String token = "abcdefghijklmnop-_0123456789";
         String address;
         int port;
@@ -175,7 +184,8 @@ class LifeOfAViewTest {
         return LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed), ViewOptions.of(port, Optional.of(token), 1));
     }
 
-    @Test void whatCannotBePreparedOpensNothing() {
+    @Test
+    void whatCannotBePreparedOpensNothing() {
         assertThatThrownBy(() -> LiveView.open(seed -> {
             throw new SetupException("no such program");
         }, ViewOptions.of(0, Optional.empty(), 1))).isInstanceOf(SetupException.class).hasMessage("no such program");

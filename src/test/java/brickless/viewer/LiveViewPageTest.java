@@ -32,22 +32,26 @@ class LiveViewPageTest {
     private PadSource source;
     private LiveView view;
 
-    @BeforeAll static void openTheBrowser() {
+    @BeforeAll
+    static void openTheBrowser() {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         if (browser != null) {
             browser.close();
         }
     }
 
-    @BeforeEach void watchTheProgram() throws Exception {
+    @BeforeEach
+    void watchTheProgram() throws Exception {
         source = new PadSource(folder, LONG);
         view = LiveView.open(source, ViewOptions.of(0, Optional.empty(), 1));
     }
 
-    @AfterEach void closeTheView() {
+    @AfterEach
+    void closeTheView() {
         browser.load("about:blank");
         view.close();
     }
@@ -64,7 +68,8 @@ class LiveViewPageTest {
         return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString());
     }
 
-    @Test void keysOfTheKeyboardReachTheProgramAsLongAsTheyAreHeld() {
+    @Test
+    void keysOfTheKeyboardReachTheProgramAsLongAsTheyAreHeld() {
         LivePageInBrowser page = page();
         browser.hands().keyDown(Keys.ARROW_DOWN).perform();
         page.awaitLine("Down down");
@@ -76,7 +81,8 @@ class LiveViewPageTest {
         page.awaitLine("Enter up");
     }
 
-    @Test void keysOfTheBrickReachTheProgramAsLongAsTheyAreHeld() {
+    @Test
+    void keysOfTheBrickReachTheProgramAsLongAsTheyAreHeld() {
         LivePageInBrowser page = page();
         page.press(".key-left");
         page.awaitLine("Left down");
@@ -87,7 +93,8 @@ class LiveViewPageTest {
         page.awaitLine("Left up");
     }
 
-    @Test void tonesArePlayedUnlessSoundIsOff() {
+    @Test
+    void tonesArePlayedUnlessSoundIsOff() {
         LivePageInBrowser page = page();
         browser.run("window.tones = 0; const start = OscillatorNode.prototype.start;"
                 + "OscillatorNode.prototype.start = function (...when) { window.tones += this.frequency.value === 440 ? 1 : 0; start.apply(this, when); };");
@@ -100,7 +107,8 @@ class LiveViewPageTest {
         assertThat(browser.value("window.tones")).isEqualTo(1L);
     }
 
-    @Test void aKeyIsLetGoWhenThePageLosesTheFocus() {
+    @Test
+    void aKeyIsLetGoWhenThePageLosesTheFocus() {
         LivePageInBrowser page = page();
         page.press(".key-enter");
         page.awaitLine("Enter down");
@@ -109,7 +117,8 @@ class LiveViewPageTest {
         page.release();
     }
 
-    @Test void theTouchSensorIsHeldAtItsPortAndOnTheDrawing() {
+    @Test
+    void theTouchSensorIsHeldAtItsPortAndOnTheDrawing() {
         LivePageInBrowser page = page();
         page.press(".port.touch");
         page.awaitLine("bumper down");
@@ -121,7 +130,8 @@ class LiveViewPageTest {
         browser.await("document.querySelector('.port.touch .port-value').textContent === 'released'");
     }
 
-    @Test void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
+    @Test
+    void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_UP).perform();
         page.awaitLine("Up up");
@@ -138,7 +148,8 @@ class LiveViewPageTest {
         assertThat(shown).isEqualTo(dots.toString()).contains("####").endsWith("..#");
     }
 
-    @Test void whatTheProgramPrintsIsNeverMarkup() {
+    @Test
+    void whatTheProgramPrintsIsNeverMarkup() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_RIGHT).perform();
         page.awaitLine("Right up");
@@ -146,7 +157,8 @@ class LiveViewPageTest {
         assertThat(browser.value("document.querySelectorAll('img, b').length")).isEqualTo(0L);
     }
 
-    @Test void aRobotIsDraggedAndTurned() {
+    @Test
+    void aRobotIsDraggedAndTurned() {
         LivePageInBrowser page = page();
         double[] before = page.pose();
         browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(40, 20).moveByOffset(40, 20).release().perform();
@@ -158,7 +170,8 @@ class LiveViewPageTest {
         page.awaitPose("Math.abs(x - %s) < 6 && Math.abs(heading - 5) < 1".formatted(x - 10));
     }
 
-    @Test void aBoxIsDraggedAndTakenAway() {
+    @Test
+    void aBoxIsDraggedAndTakenAway() {
         LivePageInBrowser page = page();
         browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10).release().perform();
         String world = "document.querySelector('.layer.world').shadowRoot.getElementById('tin')";
@@ -170,7 +183,8 @@ class LiveViewPageTest {
         assertThat(page.stimuli()).contains("move tin ").contains("remove tin");
     }
 
-    @Test void pauseStopsTimeAndStepsGoOnABit() {
+    @Test
+    void pauseStopsTimeAndStepsGoOnABit() {
         LivePageInBrowser page = page();
         browser.click(".play");
         page.awaitRun("paused");
@@ -185,7 +199,8 @@ class LiveViewPageTest {
         page.awaitTime(held + 0.5);
     }
 
-    @Test void speedIsChangedForAllViewers() {
+    @Test
+    void speedIsChangedForAllViewers() {
         LivePageInBrowser page = page();
         try (Browser other = new Browser(390, 844)) {
             LivePageInBrowser second = new LivePageInBrowser(other, view);
@@ -199,7 +214,8 @@ class LiveViewPageTest {
         page.awaitTime(left + 1);
     }
 
-    @Test void restartBeginsAnew() {
+    @Test
+    void restartBeginsAnew() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ENTER).perform();
         page.awaitLine("Enter up");
@@ -214,7 +230,8 @@ class LiveViewPageTest {
         assertThat((String) browser.value("document.querySelector('.setting').textContent")).doesNotEndWith("seed 1");
     }
 
-    @Test void aSessionWithTouchesIsRepeatedFromItsStimuli() throws Exception {
+    @Test
+    void aSessionWithTouchesIsRepeatedFromItsStimuli() throws Exception {
         LivePageInBrowser page = page();
         page.press(".key-enter");
         page.awaitLine("Enter down");
@@ -233,7 +250,8 @@ class LiveViewPageTest {
         assertThat(source.headless(stimuli).traceHash()).isEqualTo(page.hash());
     }
 
-    @Test void whenTheProgramHasEndedThePageSaysSo() {
+    @Test
+    void whenTheProgramHasEndedThePageSaysSo() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.BACK_SPACE).perform();
         page.awaitRun("ended");
@@ -246,7 +264,8 @@ class LiveViewPageTest {
         page.awaitRun("running");
     }
 
-    @Test void aSecondViewerSeesTheSameAndLeavesWithoutATrace() {
+    @Test
+    void aSecondViewerSeesTheSameAndLeavesWithoutATrace() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_UP).perform();
         page.awaitLine("Up up");
@@ -267,7 +286,8 @@ class LiveViewPageTest {
         page.awaitTime(page.time() + 0.5);
     }
 
-    @Test void thePageFindsAServerThatWasRestarted() throws Exception {
+    @Test
+    void thePageFindsAServerThatWasRestarted() throws Exception {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ENTER).perform();
         page.awaitLine("Enter up");
@@ -284,7 +304,8 @@ class LiveViewPageTest {
         page.awaitLine("Enter up");
     }
 
-    @Test void aChangedProgramIsOfferedAndRestarted() throws Exception {
+    @Test
+    void aChangedProgramIsOfferedAndRestarted() throws Exception {
         LivePageInBrowser page = page();
         source.edit("HELLO", "GOOD MORNING");
         browser.await("document.querySelector('[data-notice=changed]')");
@@ -294,7 +315,8 @@ class LiveViewPageTest {
         browser.await("!document.querySelector('[data-notice=changed]')");
     }
 
-    @Test void aProgramThatDoesNotCompileIsToldAndTheRunGoesOn() throws Exception {
+    @Test
+    void aProgramThatDoesNotCompileIsToldAndTheRunGoesOn() throws Exception {
         LivePageInBrowser page = page();
         source.edit("LCD.clear();", "LCD.cleer();");
         browser.await("document.querySelector('[data-notice=changed]')");
@@ -305,7 +327,8 @@ class LiveViewPageTest {
         page.awaitTime(page.time() + 0.3);
     }
 
-    @Test void whoeverDoesNotKnowTheTokenSeesNothing() throws Exception {
+    @Test
+    void whoeverDoesNotKnowTheTokenSeesNothing() throws Exception {
         String wrong = view.address().toString().replaceFirst("/[^/]{16,}/$", "/AAAAAAAAAAAAAAAAAAAAAA/");
         browser.load(wrong);
         assertThat(browser.value("document.querySelector('#arena')")).isNull();
@@ -313,7 +336,8 @@ class LiveViewPageTest {
         assertThat(post(view.address() + "do", "{\"do\":\"pause\"}").statusCode()).isEqualTo(204);
     }
 
-    @Test void aRequestThatIsTooLargeIsRefused() throws Exception {
+    @Test
+    void aRequestThatIsTooLargeIsRefused() throws Exception {
         String padding = " ".repeat(4096);
         assertThat(post(view.address() + "do", "{\"do\":\"pause\"}" + padding).statusCode()).isEqualTo(413);
     }

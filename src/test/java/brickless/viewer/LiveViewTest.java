@@ -17,7 +17,8 @@ import programs.robots.TwoPollers;
 /** The live view as its viewers see it, over HTTP. */
 @Timeout(120)
 class LiveViewTest {
-    @Test void theRunBeginsWithTheFirstViewerAndGoesOnWithoutHim() throws Exception {
+    @Test
+    void theRunBeginsWithTheFirstViewerAndGoesOnWithoutHim() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1)) {
             try (Spectator first = Spectator.of(visit.view)) {
                 JsonFields begin = first.await("begin").fields();
@@ -33,7 +34,8 @@ class LiveViewTest {
         }
     }
 
-    @Test void nobodyTouchesAnythingAndTheTraceIsThatOfAHeadlessRun() throws Exception {
+    @Test
+    void nobodyTouchesAnythingAndTheTraceIsThatOfAHeadlessRun() throws Exception {
         SimulationSettings settings = Visit.settings().limit(Duration.ofSeconds(3)).build();
         var headless = new Simulation(settings).start(TouchWatch.class);
         headless.toEnd();
@@ -46,7 +48,8 @@ class LiveViewTest {
         }
     }
 
-    @Test void pauseStopsTimeAndStepsLetItGoOnByTheirLength() throws Exception {
+    @Test
+    void pauseStopsTimeAndStepsLetItGoOnByTheirLength() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitTime(0.05);
             visit.command("{'do':'pause'}");
@@ -65,7 +68,8 @@ class LiveViewTest {
         return Math.round(seconds * 1e6) / 1e6;
     }
 
-    @Test void speedIsSimulatedSecondsPerSecond() throws Exception {
+    @Test
+    void speedIsSimulatedSecondsPerSecond() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             assertThat(spectator.await("state").fields().number("speed")).isEqualTo(1);
             visit.command("{'do':'speed','value':'max'}");
@@ -77,7 +81,8 @@ class LiveViewTest {
         }
     }
 
-    @Test void aKeyThatIsHeldReachesTheProgramAndTheSavedFileRepeatsTheSession() throws Exception {
+    @Test
+    void aKeyThatIsHeldReachesTheProgramAndTheSavedFileRepeatsTheSession() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitTime(0.2);
             visit.command("{'do':'hold','robot':'left','what':'key ENTER','down':true}");
@@ -100,7 +105,8 @@ class LiveViewTest {
         }
     }
 
-    @Test void viewersSeeTheSameAndOneThatGoesDoesNotDisturb() throws Exception {
+    @Test
+    void viewersSeeTheSameAndOneThatGoesDoesNotDisturb() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator stays = Spectator.of(visit.view)) {
             try (Spectator goes = Spectator.of(visit.view)) {
                 assertThat(goes.await("begin").fields().integer("viewer")).isEqualTo(2);
@@ -112,7 +118,8 @@ class LiveViewTest {
         }
     }
 
-    @Test void framesShowWhatTheSensorsSee() throws Exception {
+    @Test
+    void framesShowWhatTheSensorsSee() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             JsonFields robot = spectator.await("frame", frame -> frame.number("t") > 0.3).fields().objects("robots").get(0);
             assertThat(robot.text("name")).isEqualTo("left");

@@ -29,7 +29,8 @@ class RestartTest {
     private Path source;
     private volatile RunSource.Prepared latest;
 
-    @BeforeEach void writeProgram() throws IOException {
+    @BeforeEach
+    void writeProgram() throws IOException {
         source = folder.resolve("Talk.java");
         write("first");
     }
@@ -55,7 +56,8 @@ class RestartTest {
         return Visit.to(this::prepare, 1);
     }
 
-    @Test void aRestartBeginsTheSameAgainForAllViewers() throws Exception {
+    @Test
+    void aRestartBeginsTheSameAgainForAllViewers() throws Exception {
         try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator one = Spectator.of(visit.view); Spectator two = Spectator.of(visit.view)) {
             one.awaitTime(0.3);
             visit.command("{'do':'touch','stimulus':'clap 80dB'}");
@@ -73,7 +75,8 @@ class RestartTest {
         }
     }
 
-    @Test void anEditedProgramIsOfferedAndRunsAfterARestart() throws Exception {
+    @Test
+    void anEditedProgramIsOfferedAndRunsAfterARestart() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitEvent("\"text\":\"first\"");
             write("second");
@@ -87,7 +90,8 @@ class RestartTest {
         assertThat(folder.resolve("out/console.txt")).as("of two robots").hasContent("second\nsecond\n");
     }
 
-    @Test void aChangeThatIsTakenBackIsNoChange() throws Exception {
+    @Test
+    void aChangeThatIsTakenBackIsNoChange() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             write("other");
             spectator.await("state", fields -> !fields.texts("changed").isEmpty());
@@ -96,7 +100,8 @@ class RestartTest {
         }
     }
 
-    @Test void aProgramThatDoesNotCompileLeavesTheOldRunGoing() throws Exception {
+    @Test
+    void aProgramThatDoesNotCompileLeavesTheOldRunGoing() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitEvent("\"text\":\"first\"");
             Files.writeString(source, "public class Talk { public static void main(String[] args) { oops } }\n");
@@ -114,7 +119,8 @@ class RestartTest {
         }
     }
 
-    @Test void aRunThatEndedIsNotTouchedButRestarted() throws Exception {
+    @Test
+    void aRunThatEndedIsNotTouchedButRestarted() throws Exception {
         Files.writeString(source, "public class Talk { public static void main(String[] args) { System.exit(3); } }\n");
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             JsonFields ended = spectator.await("state", state -> state.has("ended")).fields();
@@ -130,7 +136,8 @@ class RestartTest {
         }
     }
 
-    @Test void temporaryClassesAreRemovedWithTheirRun() throws Exception {
+    @Test
+    void temporaryClassesAreRemovedWithTheirRun() throws Exception {
         Path first;
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             first = classes();

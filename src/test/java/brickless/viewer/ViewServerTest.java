@@ -33,11 +33,13 @@ import programs.robots.TwoPollers;
 class ViewServerTest {
     private static Visit visit;
 
-    @BeforeAll static void open() {
+    @BeforeAll
+    static void open() {
         visit = Visit.to(TwoPollers.class, 1);
     }
 
-    @AfterAll static void close() {
+    @AfterAll
+    static void close() {
         visit.close();
     }
 
@@ -66,13 +68,15 @@ class ViewServerTest {
         }
     }
 
-    @Test void theAddressHoldsATokenOf128RandomBits() {
+    @Test
+    void theAddressHoldsATokenOf128RandomBits() {
         assertThat(visit.view.address().getHost()).isEqualTo("127.0.0.1");
         assertThat(visit.view.address().getPath()).matches("/[A-Za-z0-9_-]{22}/");
         assertThat(ViewOptions.of(0, Optional.empty(), 1).token()).isNotEqualTo(ViewOptions.of(0, Optional.empty(), 1).token());
     }
 
-    @Test void thePageIsServedAndNothingMayKeepOrFrameIt() throws Exception {
+    @Test
+    void thePageIsServedAndNothingMayKeepOrFrameIt() throws Exception {
         HttpResponse<String> page = visit.get("");
         assertThat(page.statusCode()).isEqualTo(200);
         assertThat(page.headers().firstValue("Content-Type")).contains("text/html; charset=utf-8");
@@ -82,7 +86,8 @@ class ViewServerTest {
         assertThat(page.body()).contains("<html", "Content-Security-Policy");
     }
 
-    @Test void theAddressWithoutItsSlashLeadsToThePage() throws Exception {
+    @Test
+    void theAddressWithoutItsSlashLeadsToThePage() throws Exception {
         String address = visit.view.address().toString();
         HttpResponse<String> answer = visit.send(HttpRequest.newBuilder(URI.create(address.substring(0, address.length() - 1))));
         assertThat(answer.statusCode()).isEqualTo(301);
@@ -101,7 +106,8 @@ class ViewServerTest {
         assertThat(raw("GET " + visit.view.address().getPath() + resource + " HTTP/1.1\r\nHost: 127.0.0.1")).contains(" 404 ");
     }
 
-    @Test void requestsOfOtherPagesAreRefused() throws Exception {
+    @Test
+    void requestsOfOtherPagesAreRefused() throws Exception {
         HttpRequest.Builder foreign = json("{\"do\":\"pause\"}").header("Origin", "http://evil.example");
         assertRefused(visit.send(foreign), 403);
         assertRefused(visit.send(json("{\"do\":\"pause\"}").header("Origin", "null")), 403);
@@ -110,7 +116,8 @@ class ViewServerTest {
         assertThat(visit.send(json("{\"do\":\"speed\",\"value\":1}").header("Origin", own)).statusCode()).isEqualTo(204);
     }
 
-    @Test void requestsForOtherHostsAreRefused() throws IOException {
+    @Test
+    void requestsForOtherHostsAreRefused() throws IOException {
         String path = visit.view.address().getPath();
         int port = visit.view.address().getPort();
         assertThat(raw("GET " + path + " HTTP/1.1\r\nHost: evil.example")).contains(" 403 ");
@@ -128,7 +135,8 @@ class ViewServerTest {
         assertThat(visit.get("").statusCode()).isEqualTo(200);
     }
 
-    @Test void theServerListensOnThisMachineOnly() throws Exception {
+    @Test
+    void theServerListensOnThisMachineOnly() throws Exception {
         for (NetworkInterface network : NetworkInterface.networkInterfaces().toList()) {
             for (InetAddress address : network.inetAddresses().filter(a -> !a.isLoopbackAddress()).toList()) {
                 assertThatThrownBy(() -> new Socket(address, visit.view.address().getPort()).close()).isInstanceOf(IOException.class);
@@ -136,7 +144,8 @@ class ViewServerTest {
         }
     }
 
-    @Test void bodiesOverTheLimitAreRefused() throws Exception {
+    @Test
+    void bodiesOverTheLimitAreRefused() throws Exception {
         String longest = "{\"do\":\"speed\",\"value\":1" + " ".repeat(4_096 - 24) + "}";
         assertThat(longest).hasSize(4_096);
         assertThat(visit.post(longest).statusCode()).isEqualTo(204);
@@ -144,7 +153,8 @@ class ViewServerTest {
         assertRefused(visit.post(" ".repeat(60_000)), 413);
     }
 
-    @Test void commandsAreJson() throws Exception {
+    @Test
+    void commandsAreJson() throws Exception {
         assertRefused(visit.send(HttpRequest.newBuilder(visit.address("do")).header("Content-Type", "text/plain")
                 .POST(HttpRequest.BodyPublishers.ofString("{\"do\":\"pause\"}"))), 415);
         assertRefused(visit.send(HttpRequest.newBuilder(visit.address("do")).POST(HttpRequest.BodyPublishers.noBody())), 415);
@@ -182,7 +192,8 @@ class ViewServerTest {
         assertThat(JsonFields.parse(answer.body()).text("error")).contains(reason);
     }
 
-    @Test void everyAddressHasItsMethod() throws Exception {
+    @Test
+    void everyAddressHasItsMethod() throws Exception {
         HttpResponse<String> answer = visit.get("do");
         assertRefused(answer, 405);
         assertThat(answer.headers().firstValue("Allow")).contains("POST");
@@ -191,7 +202,8 @@ class ViewServerTest {
         }
     }
 
-    @Test void thereIsRoomForSixteenViewersAndForMoreWhenSomeGo() throws Exception {
+    @Test
+    void thereIsRoomForSixteenViewersAndForMoreWhenSomeGo() throws Exception {
         List<Spectator> viewers = new ArrayList<>();
         try {
             for (int i = 0; i < ViewServer.MOST_VIEWERS; i++) {
@@ -220,7 +232,8 @@ class ViewServerTest {
         }
     }
 
-    @Test void aPortThatIsTakenIsNamed() {
+    @Test
+    void aPortThatIsTakenIsNamed() {
         int port = visit.view.address().getPort();
         assertThatThrownBy(() -> LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed),
                 ViewOptions.of(port, Optional.empty(), 1))).isInstanceOf(SetupException.class).hasMessageContaining("port " + port);
