@@ -40,8 +40,8 @@ final class LenientSourceFiles extends ForwardingJavaFileManager<StandardJavaFil
     }
 
     @Override
-    public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName, Set<JavaFileObject.Kind> kinds,
-            boolean recurse) throws IOException {
+    public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
+            Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
         return wrap(super.list(location, packageName, kinds, recurse));
     }
 

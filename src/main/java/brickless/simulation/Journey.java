@@ -9,7 +9,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 
-/** What happens to the robots in the arena: collisions, zones, falls. Writes it into the trace and remembers it for the report. */
+/**
+ * What happens to the robots in the arena: collisions, zones, falls. Writes it into the trace and remembers it for the
+ * report.
+ */
 final class Journey implements ArenaListener {
     private final Recorder recorder;
     private final LongSupplier clock;
@@ -30,7 +33,8 @@ final class Journey implements ArenaListener {
         collisions++;
         Solid robot = hitter instanceof RobotBody ? hitter : hit;
         Solid other = robot == hitter ? hit : hitter;
-        recorder.event(clock.getAsLong(), robot.name(), new TraceEvent.CollisionEvent(other.name(), speedMetresPerSecond));
+        recorder.event(clock.getAsLong(), robot.name(),
+                new TraceEvent.CollisionEvent(other.name(), speedMetresPerSecond));
     }
 
     @Override

@@ -2,7 +2,9 @@ package brickless.simulation;
 
 import brickless.world.Pose2;
 
-/** Something a person or the world does to a robot at a given time. Times are nanoseconds since the start of the run. */
+/**
+ * Something a person or the world does to a robot at a given time. Times are nanoseconds since the start of the run.
+ */
 public sealed interface Stimulus {
     /** When it happens. */
     long atNanos();

@@ -30,7 +30,8 @@ public final class ReportRecording implements TraceListener {
             robots.computeIfAbsent(robot.name(), RobotColumns::new).add(samples, robot);
         }
         for (BodySample body : sample.bodies()) {
-            BodyColumns columns = bodies.computeIfAbsent(body.id(), id -> new BodyColumns(new Column(5), new Column(5), new Column(3)));
+            BodyColumns columns = bodies.computeIfAbsent(body.id(),
+                    id -> new BodyColumns(new Column(5), new Column(5), new Column(3)));
             columns.x().put(samples, body.displacement().x());
             columns.y().put(samples, body.displacement().y());
             columns.heading().put(samples, StrictMath.toDegrees(body.displacement().headingRadians()));
@@ -53,10 +54,12 @@ public final class ReportRecording implements TraceListener {
         line.object("header", () -> header.write(line));
         line.raw("times", times.json());
         line.objects("robots", robots.values(), (robot, fields) -> robot.write(fields));
-        line.objects("bodies", bodies.entrySet(), (body, fields) -> fields.text("id", body.getKey()).raw("x", body.getValue().x().json())
+        line.objects("bodies", bodies.entrySet(), (body, fields) -> fields.text("id", body.getKey())
+                .raw("x", body.getValue().x().json())
                 .raw("y", body.getValue().y().json()).raw("heading", body.getValue().heading().json()));
         line.objects("events", events, (happening, fields) -> {
-            fields.seconds("t", happening.timeNanos()).text("type", happening.event().type()).text("robot", happening.robot());
+            fields.seconds("t", happening.timeNanos()).text("type", happening.event().type())
+                    .text("robot", happening.robot());
             happening.event().write(fields);
         });
     }

@@ -45,7 +45,8 @@ public sealed interface TraceEvent {
 
         @Override
         public void write(JsonLine line) {
-            line.text("name", name).integer("hertz", frequencyHertz).integer("millis", durationMillis).integer("volume", volumePercent);
+            line.text("name", name).integer("hertz", frequencyHertz).integer("millis", durationMillis)
+                    .integer("volume", volumePercent);
         }
     }
 
@@ -97,7 +98,10 @@ public sealed interface TraceEvent {
         }
     }
 
-    /** An arbitrator's state changed; {@code change} is {@code wants}, {@code active} or {@code suppressed}; behaviour −1 = none. */
+    /**
+     * An arbitrator's state changed; {@code change} is {@code wants}, {@code active} or {@code suppressed}; behaviour
+     * −1 = none.
+     */
     record BehaviourEvent(String change, int arbitrator, int behaviour) implements TraceEvent {
         @Override
         public String type() {
@@ -123,7 +127,9 @@ public sealed interface TraceEvent {
         }
     }
 
-    /** The robot and something else touched after having been apart; speed in metres per second at which they closed in. */
+    /**
+     * The robot and something else touched after having been apart; speed in metres per second at which they closed in.
+     */
     record CollisionEvent(String other, double speed) implements TraceEvent {
         @Override
         public String type() {

@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Hears the trace of a run: collects all of it for viewers that come later, and what is new for those that are there. Written by the run's
- * thread while the driver waits for it, read by the driver while the run is held.
+ * Hears the trace of a run: collects all of it for viewers that come later, and what is new for those that are there.
+ * Written by the run's thread while the driver waits for it, read by the driver while the run is held.
  */
 final class Tap implements TraceListener {
     private record Happening(long timeNanos, String robot, TraceEvent event) {}
