@@ -30,7 +30,8 @@ class DocumentedModelsTest {
         sources = new HashMap<>();
         try (Stream<Path> files = Files.walk(HOME.resolve("src"))) {
             for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
-                sources.merge(file.getFileName().toString().replace(".java", ""), Files.readString(file), String::concat);
+                sources.merge(file.getFileName().toString().replace(".java", ""), Files.readString(file),
+                        String::concat);
             }
         }
     }

@@ -41,7 +41,8 @@ final class SetupCheck {
         if (stimulus instanceof Stimulus.On on) {
             if (arena.robot(on.robot()).isEmpty()) {
                 throw new SetupException("stimulus '" + stimulus.text() + "': there is no robot named " + on.robot()
-                        + "; there are: " + arena.robots().stream().map(robot -> robot.name()).collect(Collectors.joining(", ")));
+                        + "; there are: " + arena.robots().stream().map(robot -> robot.name())
+                        .collect(Collectors.joining(", ")));
             }
             stimulus(on.what(), arena);
             return;

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What rewriting costs programs that compute: how many times longer {@link Loops} take rewritten than plain, best of some rounds in host
- * time. At most 3 times as long is wanted.
+ * What rewriting costs programs that compute: how many times longer {@link Loops} take rewritten than plain, best of
+ * some rounds in host time. At most 3 times as long is wanted.
  */
 final class ComputeCost implements Measurement {
     private static final List<String> LOOPS = List.of("matrix", "sieve", "collatz", "particles", "fibonacci", "sort");
@@ -24,7 +24,8 @@ final class ComputeCost implements Measurement {
         Map<String, Long> rewritten = new TreeMap<>();
         RobotClassLoader loader = RobotClassLoader.ofApplication(ComputeCost.class.getClassLoader(),
                 LoadingRules.standard().rewriting(Loops.class.getName()));
-        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(Long.MAX_VALUE).withStepNanos(2_000_000), time -> { });
+        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(Long.MAX_VALUE)
+                .withStepNanos(2_000_000), time -> { });
         kernel.bind(loader.bind(kernel));
         Thread main = loader.programThread("main", () -> {
             try {

@@ -30,7 +30,8 @@ final class DrivingRobots extends StepCost {
         Surroundings surroundings = new Surroundings(arena, FloorColour.of(world), 1, false);
         List<RobotDevices> robots = new ArrayList<>();
         for (RobotBody body : arena.robots()) {
-            robots.add(driving(new RobotDevices(body, surroundings, new FakeProcessor(ArenaSettings.DEFAULT_STEP_NANOS, time -> { }),
+            robots.add(driving(new RobotDevices(body, surroundings,
+                    new FakeProcessor(ArenaSettings.DEFAULT_STEP_NANOS, time -> { }),
                     MotorFitting.FIXED, SensorFitting.FIXED)));
         }
         return time -> {

@@ -37,15 +37,18 @@ public class HotPieces {
     @State(Scope.Thread)
     public static class Robot {
         private static final long STEP_NANOS = ArenaSettings.DEFAULT_STEP_NANOS;
-        private final Arena arena = new Arena(new RobotGrid(1).world(), new RobotGrid(1).entrants(), ArenaSettings.of(false));
-        private final RobotDevices devices = RobotDevices.of(arena, arena.robots().get(0), new FakeProcessor(STEP_NANOS, time -> { }), 1, false);
+        private final Arena arena = new Arena(new RobotGrid(1).world(), new RobotGrid(1).entrants(),
+                ArenaSettings.of(false));
+        private final RobotDevices devices = RobotDevices.of(arena, arena.robots().get(0),
+                new FakeProcessor(STEP_NANOS, time -> { }), 1, false);
         private final byte[] message = new byte[2];
         private long now;
         private int place;
 
         /** Both motors run, all sensors are on. */
         public Robot() {
-            devices.sensor(2).plug(new SensorMount("colour", 2, SensorType.EV3_COLOR, new Point2(0.05, 0), 0, 0.008, List.of(), Optional.empty()));
+            devices.sensor(2).plug(new SensorMount("colour", 2, SensorType.EV3_COLOR, new Point2(0.05, 0), 0, 0.008,
+                    List.of(), Optional.empty()));
             devices.sensor(2).uart().initialise(0);
             devices.sensor(3).uart().initialise(0);
             devices.motor(1).drive(40);
@@ -91,7 +94,8 @@ public class HotPieces {
         /** A new one for every invocation: a kernel runs once. */
         @Setup(Level.Invocation)
         public void load() throws Exception {
-            loader = RobotClassLoader.ofApplication(HotPieces.class.getClassLoader(), LoadingRules.standard().rewriting(Loops.class.getName()));
+            loader = RobotClassLoader.ofApplication(HotPieces.class.getClassLoader(),
+                    LoadingRules.standard().rewriting(Loops.class.getName()));
             kernel = new Kernel(KernelSettings.defaults());
             kernel.bind(loader.bind(kernel));
             loader.loadClass(Loops.class.getName());
@@ -125,8 +129,8 @@ public class HotPieces {
     public long tick(Program program) {
         program.run(() -> {
             try {
-                MethodHandles.publicLookup().findStatic(program.loader.loadClass(Loops.class.getName()), "turns", MethodType.methodType(double.class))
-                        .invoke();
+                MethodHandles.publicLookup().findStatic(program.loader.loadClass(Loops.class.getName()), "turns",
+                        MethodType.methodType(double.class)).invoke();
             } catch (Throwable e) {
                 throw new IllegalStateException(e);
             }

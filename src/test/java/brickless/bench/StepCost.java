@@ -50,6 +50,7 @@ abstract class StepCost implements Measurement {
             stepper.step(now);
         }
         double allocated = HostReading.ownBytes() - bytes;
-        return new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps).put("bytesPerStep", allocated / steps);
+        return new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps)
+                .put("bytesPerStep", allocated / steps);
     }
 }

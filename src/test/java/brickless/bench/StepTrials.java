@@ -22,8 +22,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What robots do all day, each as a few numbers that a coarse step may get wrong: millimetres, degrees or milliseconds. Every trial has
- * some variants, so that no lucky phase of a step decides.
+ * What robots do all day, each as a few numbers that a coarse step may get wrong: millimetres, degrees or milliseconds.
+ * Every trial has some variants, so that no lucky phase of a step decides.
  */
 enum StepTrials {
     /** A regulated metre at 360 deg/s. */
@@ -75,7 +75,8 @@ enum StepTrials {
     WALL("along an oblique wall", "mm", 4) {
         @Override
         double[] run(ArenaSettings settings, int variant) {
-            RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(), new Pose2(0, 0, 0.9 + 0.1 * variant));
+            RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(),
+                    new Pose2(0, 0, 0.9 + 0.1 * variant));
             bench.drive(60, 60);
             bench.runMillis(2000);
             return place(bench.robot.pose());
@@ -100,7 +101,8 @@ enum StepTrials {
             for (int i = 0; i < 4; i++) {
                 crates.add(TestWorlds.crate("c" + i, 0.12 + 0.1 * i, 0.003 * variant * i, 0.098, 0.15));
             }
-            RobotBench bench = bench(settings, TestWorlds.world(crates, List.of()), TestWorlds.educator(), new Pose2(0, 0, 0));
+            RobotBench bench = bench(settings, TestWorlds.world(crates, List.of()), TestWorlds.educator(),
+                    new Pose2(0, 0, 0));
             bench.drive(60, 60);
             bench.runMillis(2000);
             return place(bench.arena.obstacles().get(3).displacement());
@@ -121,14 +123,16 @@ enum StepTrials {
             for (long time = 0; time < 2_000_000_000L; time += settings.stepNanos()) {
                 arena.step();
             }
-            return new double[] {arena.robots().get(0).xMetres() * MILLIMETRES, arena.robots().get(1).xMetres() * MILLIMETRES};
+            return new double[] {arena.robots().get(0).xMetres() * MILLIMETRES,
+                    arena.robots().get(1).xMetres() * MILLIMETRES};
         }
     },
     /** A robot that weak motors press against a wall: how far it creeps in five seconds. */
     CREEP("creep at a wall", "mm", 1) {
         @Override
         double[] run(ArenaSettings settings, int variant) {
-            RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(), new Pose2(0.2, 0, 0));
+            RobotBench bench = bench(settings, TestWorlds.with(WALL_AHEAD), TestWorlds.educator(),
+                    new Pose2(0.2, 0, 0));
             bench.drive(12, 12);
             bench.runMillis(3000);
             double resting = bench.robot.xMetres();
@@ -140,7 +144,8 @@ enum StepTrials {
     GYRO("gyro against heading", "°", 4) {
         @Override
         double[] run(ArenaSettings settings, int variant) {
-            RobotBench bench = bench(exact(settings), TestWorlds.with(), TestWorlds.educator(sensor(SensorType.EV3_GYRO)), new Pose2(0, 0, 0));
+            RobotBench bench = bench(exact(settings), TestWorlds.with(),
+                    TestWorlds.educator(sensor(SensorType.EV3_GYRO)), new Pose2(0, 0, 0));
             bench.devices.sensor(0).uart().initialise(0);
             double start = bench.headingDegrees();
             for (int i = 0; i < 20; i++) {
@@ -197,7 +202,8 @@ enum StepTrials {
 
     /** Noise would hide what is looked for. */
     private static ArenaSettings exact(ArenaSettings settings) {
-        return new ArenaSettings(true, settings.stepNanos(), settings.velocityIterations(), settings.positionIterations());
+        return new ArenaSettings(true, settings.stepNanos(), settings.velocityIterations(),
+                settings.positionIterations());
     }
 
     private static double[] place(Pose2 pose) {
@@ -216,26 +222,31 @@ enum StepTrials {
 
     private static RobotModel weighing(double kilograms) {
         RobotModel base = TestWorlds.educator();
-        return new RobotModel("pusher", base.chassis(), kilograms, base.wheels(), base.casters(), List.of(), List.of(), List.of(), "");
+        return new RobotModel("pusher", base.chassis(), kilograms, base.wheels(), base.casters(), List.of(), List.of(),
+                List.of(), "");
     }
 
     private static RobotModel clawed() {
         Claw claw = new Claw("claw", 0, MotorType.MEDIUM, 0, 90, false, new Point2(0.06, 0),
                 List.of(TestWorlds.box(0.05, -0.05, 0.11, -0.04)));
         RobotModel base = TestWorlds.educator();
-        return new RobotModel("gripper", base.chassis(), base.massKilograms(), base.wheels(), base.casters(), List.of(), List.of(),
-                List.of(claw), "");
+        return new RobotModel("gripper", base.chassis(), base.massKilograms(), base.wheels(), base.casters(),
+                List.of(), List.of(), List.of(claw), "");
     }
 
-    /** A room with four walls and crates, through which a robot with a distance sensor bumps: what a second of it costs is measured. */
+    /**
+     * A room with four walls and crates, through which a robot with a distance sensor bumps: what a second of it costs
+     * is measured.
+     */
     static RobotBench room(ArenaSettings settings) {
-        List<Obstacle> obstacles = new ArrayList<>(List.of(TestWorlds.wall("n", -1, -1, 1, -0.95), TestWorlds.wall("s", -1, 0.95, 1, 1),
-                TestWorlds.wall("w", -1, -1, -0.95, 1), TestWorlds.wall("e", 0.95, -1, 1, 1)));
+        List<Obstacle> obstacles = new ArrayList<>(
+                List.of(TestWorlds.wall("n", -1, -1, 1, -0.95), TestWorlds.wall("s", -1, 0.95, 1, 1),
+                        TestWorlds.wall("w", -1, -1, -0.95, 1), TestWorlds.wall("e", 0.95, -1, 1, 1)));
         for (int i = 0; i < 5; i++) {
             obstacles.add(TestWorlds.crate("c" + i, 0.4 + 0.13 * (i % 4), -0.3 + 0.3 * (i / 4), 0.1, 0.05 + 0.1 * i));
         }
-        RobotBench bench = bench(settings, TestWorlds.world(obstacles, List.of()), TestWorlds.educator(sensor(SensorType.EV3_ULTRASONIC)),
-                new Pose2(0, 0, 0.1));
+        RobotBench bench = bench(settings, TestWorlds.world(obstacles, List.of()),
+                TestWorlds.educator(sensor(SensorType.EV3_ULTRASONIC)), new Pose2(0, 0, 0.1));
         bench.devices.sensor(0).uart().initialise(0);
         return bench;
     }

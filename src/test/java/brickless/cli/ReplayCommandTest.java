@@ -16,7 +16,8 @@ class ReplayCommandTest {
 
     private Path run() {
         Path run = folder.resolve("run");
-        assertThat(CommandLineRun.of("run", CommandLineRun.program("square/Square.java"), "--for", "1s", "--out", run).status()).isZero();
+        assertThat(CommandLineRun.of("run", CommandLineRun.program("square/Square.java"), "--for", "1s", "--out", run)
+                .status()).isZero();
         return run;
     }
 
@@ -51,7 +52,8 @@ class ReplayCommandTest {
         Path run = run();
         Files.delete(run.resolve("report.html"));
         byte[] trace = Files.readAllBytes(run.resolve("trace.jsonl"));
-        Files.write(run.resolve("trace.jsonl"), Arrays.copyOf(trace, trace.length - 5), StandardOpenOption.TRUNCATE_EXISTING);
+        Files.write(run.resolve("trace.jsonl"), Arrays.copyOf(trace, trace.length - 5),
+                StandardOpenOption.TRUNCATE_EXISTING);
         assertRefused(run, ": cut off in the middle of a line");
         assertThat(run.resolve("report.html")).doesNotExist();
     }

@@ -15,7 +15,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code brickless sweep}: the same lines in the same order, whatever the number of jobs and however often it was killed. */
+/**
+ * {@code brickless sweep}: the same lines in the same order, whatever the number of jobs and however often it was
+ * killed.
+ */
 class SweepCommandTest {
     /** Fails in about half of its runs: the program's random numbers come from the seed. */
     private static final String CHANCE = """
@@ -45,22 +48,26 @@ class SweepCommandTest {
     }
 
     private CommandLineRun sweep(Object... more) {
-        List<Object> words = new ArrayList<>(List.of("sweep", program, "--worlds", folder.resolve("*.svg"), "--seeds", SEEDS, "--for", "2s"));
+        List<Object> words = new ArrayList<>(List.of("sweep", program, "--worlds", folder.resolve("*.svg"), "--seeds",
+                SEEDS, "--for", "2s"));
         words.addAll(List.of(more));
         return CommandLineRun.of(words.toArray());
     }
 
     @Test
     void linesComeInTheOrderOfWorldsAndSeeds() {
-        assertThat(sweep().out().lines().map(line -> line.replaceFirst(".*\"world\":\"([^\"]*)\".*\"seed\":(\\d+).*", "$1 $2"))).containsExactly(
+        assertThat(sweep().out().lines().map(line ->
+                line.replaceFirst(".*\"world\":\"([^\"]*)\".*\"seed\":(\\d+).*", "$1 $2"))).containsExactly(
                 "line-loop 1", "line-loop 2", "line-loop 3", "line-loop 4", "line-loop 9", "line-loop 7",
                 "pen 1", "pen 2", "pen 3", "pen 4", "pen 9", "pen 7");
     }
 
     @Test
     void worldsCanBeNamedOneByOneOrByPatternsWithBraces() {
-        CommandLineRun run = CommandLineRun.of("sweep", program, "--worlds", "pen", "--worlds", folder.resolve("{line-loop,pen}.svg"), "--for", "1s");
-        assertThat(run.out().lines().map(line -> line.replaceFirst(".*\"world\":\"([^\"]*)\".*", "$1"))).containsExactly("pen", "line-loop", "pen");
+        CommandLineRun run = CommandLineRun.of("sweep", program, "--worlds", "pen", "--worlds",
+                folder.resolve("{line-loop,pen}.svg"), "--for", "1s");
+        assertThat(run.out().lines().map(line -> line.replaceFirst(".*\"world\":\"([^\"]*)\".*", "$1")))
+                .containsExactly("pen", "line-loop", "pen");
     }
 
     @Test
@@ -73,20 +80,24 @@ class SweepCommandTest {
 
     @Test
     void aLineTellsNothingOfTheMachine() {
-        assertThat(sweep().out().lines().findFirst().orElseThrow()).contains("\"passed\":", "\"traceHash\":", "\"outcome\":\"exited\"")
-                .doesNotContain("wallSeconds").doesNotContain("realTimeFactor").doesNotContain("backend").doesNotContain("jdk");
+        assertThat(sweep().out().lines().findFirst().orElseThrow())
+                .contains("\"passed\":", "\"traceHash\":", "\"outcome\":\"exited\"")
+                .doesNotContain("wallSeconds").doesNotContain("realTimeFactor").doesNotContain("backend")
+                .doesNotContain("jdk");
     }
 
     @Test
     void aFailedRunFailsTheSweep() {
         CommandLineRun run = sweep();
-        assertThat(run.out()).contains("\"exitStatus\":3,\"passed\":false").contains("\"exitStatus\":0,\"passed\":true");
+        assertThat(run.out()).contains("\"exitStatus\":3,\"passed\":false")
+                .contains("\"exitStatus\":0,\"passed\":true");
         assertThat(run.status()).isEqualTo(1);
     }
 
     @Test
     void aSweepWithoutFailureSucceeds() {
-        assertThat(CommandLineRun.of("sweep", CommandLineRun.program("square/Square.java"), "--seeds", "5", "--for", "1s").status()).isZero();
+        assertThat(CommandLineRun.of("sweep", CommandLineRun.program("square/Square.java"), "--seeds", "5", "--for",
+                "1s").status()).isZero();
     }
 
     @Test
@@ -119,11 +130,13 @@ class SweepCommandTest {
         Path out = folder.resolve("out.jsonl");
         sweep("--out", out);
         byte[] before = Files.readAllBytes(out);
-        CommandLineRun otherSeeds = CommandLineRun.of("sweep", program, "--worlds", folder.resolve("*.svg"), "--seeds", "2..9", "--for", "2s", "--out", out);
+        CommandLineRun otherSeeds = CommandLineRun.of("sweep", program, "--worlds", folder.resolve("*.svg"), "--seeds",
+                "2..9", "--for", "2s", "--out", out);
         assertThat(otherSeeds.status()).isEqualTo(2);
         assertThat(otherSeeds.err()).contains("out.jsonl:1: is of world line-loop and seed 1, not of line-loop and 2");
         Files.writeString(program, CHANCE.replace("300", "301"));
-        assertThat(sweep("--out", out).err()).contains("out.jsonl:12: was made by another program or with other settings");
+        assertThat(sweep("--out", out).err())
+                .contains("out.jsonl:12: was made by another program or with other settings");
         Files.writeString(out, "no json\n", StandardOpenOption.TRUNCATE_EXISTING);
         assertThat(sweep("--out", out).err()).contains("out.jsonl:1: is no JSON object");
         Files.writeString(out, "my diary");
@@ -138,7 +151,8 @@ class SweepCommandTest {
     void aFileThatCannotBeWrittenIsRefused() throws IOException {
         assertThat(sweep("--out", folder).err()).contains("cannot be written").hasLineCount(1);
         Path busy = folder.resolve("busy.jsonl");
-        try (FileChannel other = FileChannel.open(busy, StandardOpenOption.CREATE, StandardOpenOption.WRITE); FileLock lock = other.lock()) {
+        try (FileChannel other = FileChannel.open(busy, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+                FileLock lock = other.lock()) {
             CommandLineRun run = sweep("--out", busy);
             assertThat(run.err()).contains("busy.jsonl: another sweep is writing it").hasLineCount(1);
             assertThat(run.status()).isEqualTo(2);
@@ -152,7 +166,8 @@ class SweepCommandTest {
 
     @Test
     void worldsAndSeedsThatAreNoneAreRefused() {
-        assertThat(CommandLineRun.of("sweep", program, "--worlds", folder.resolve("*.png")).err()).contains("*.png: no such files");
+        assertThat(CommandLineRun.of("sweep", program, "--worlds", folder.resolve("*.png")).err())
+                .contains("*.png: no such files");
         assertThat(CommandLineRun.of("sweep", program, "--worlds", "nowhere").err()).contains("nowhere: no such world");
         for (String seeds : List.of("", "a", "1..", "5..1", "1...3", "1,,2")) {
             CommandLineRun run = CommandLineRun.of("sweep", program, "--seeds", seeds);

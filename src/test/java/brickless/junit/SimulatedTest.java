@@ -97,8 +97,8 @@ class SimulatedTest {
         try (CompiledTests alone = CompiledTests.of(other, Map.of("cases.RunCases",
                 CompiledTests.resource("RunCases.java.txt")))) {
             alone.run(false, "cases.RunCases");
-            for (String run : List.of("methodBeforeClass", "inlineWorld", "severalRuns-2", "expectsInVain", "expectsAlways",
-                    "expectsNever")) {
+            for (String run : List.of("methodBeforeClass", "inlineWorld", "severalRuns-2", "expectsInVain",
+                    "expectsAlways", "expectsNever")) {
                 Path trace = Path.of("cases.RunCases." + run, "trace.jsonl");
                 assertThat(alone.runs().resolve(trace)).as(run).hasSameBinaryContentAs(tests.runs().resolve(trace));
             }

@@ -27,8 +27,9 @@ class WrongTestsTest {
             sources.put("cases." + name, CompiledTests.resource(name + ".java.txt"));
         }
         tests = CompiledTests.of(folder, sources);
-        tests.run(true, sources.keySet().toArray(String[]::new)).testEvents().finished().stream().forEach(event -> RESULTS.put(
-                event.getTestDescriptor().getDisplayName().replaceAll("\\(.*", ""), event.getRequiredPayload(TestExecutionResult.class)));
+        tests.run(true, sources.keySet().toArray(String[]::new)).testEvents().finished().stream()
+                .forEach(event -> RESULTS.put(event.getTestDescriptor().getDisplayName().replaceAll("\\(.*", ""),
+                        event.getRequiredPayload(TestExecutionResult.class)));
     }
 
     @AfterAll
@@ -49,7 +50,8 @@ class WrongTestsTest {
 
     @Test
     void mistakesInInlineDrawingsAreLocated() {
-        assertThat(message("worldInvalid")).contains(": world of WrongCases:1: <rect>: width=\"ten\" is not a length").hasLineCount(1);
+        assertThat(message("worldInvalid")).contains(": world of WrongCases:1: <rect>: width=\"ten\" is not a length")
+                .hasLineCount(1);
         assertThat(message("robotInvalid")).contains(": robot of WrongCases:2", "propeller").hasLineCount(1);
     }
 
@@ -69,7 +71,8 @@ class WrongTestsTest {
 
     @Test
     void aTestWithoutTheAnnotationIsToldThatNobodyKnowsItsParameter() {
-        assertThat(message("asksWithoutTheAnnotation")).contains("No ParameterResolver registered", "brickless.simulation.Simulation");
+        assertThat(message("asksWithoutTheAnnotation"))
+                .contains("No ParameterResolver registered", "brickless.simulation.Simulation");
         assertThat(RESULTS.get("seed 4").getThrowable()).isEmpty();
     }
 
@@ -86,7 +89,8 @@ class WrongTestsTest {
 
     @Test
     void anExpectationBeyondTheEndTellsThatTheRunHadEnded() {
-        assertThat(message("waitsBeyondTheEnd")).contains("eventually: be a marathon", "the run had ended: exited").containsPattern("but at \\d+\\.\\d+ simulated seconds");
+        assertThat(message("waitsBeyondTheEnd")).contains("eventually: be a marathon", "the run had ended: exited")
+                .containsPattern("but at \\d+\\.\\d+ simulated seconds");
     }
 
     @Test

@@ -23,18 +23,21 @@ class FrameTest {
     private static final String ROBOT = "<svg xmlns='http://www.w3.org/2000/svg'>"
             + "<rect data-part='chassis' x='-100' y='-50' width='150' height='100' data-mass-kg='1'/>"
             + "<circle data-part='caster' id='ball' cx='-80' cy='0' r='8'/>"
-            + "<rect data-part='wheel' id='left' data-port='B' data-motor='large' x='-28' y='-70' width='56' height='26' data-diameter-mm='56'/>"
-            + "<rect data-part='wheel' id='right' data-port='C' data-motor='large' x='-28' y='44' width='56' height='26' data-diameter-mm='56'/>"
-            + "<circle data-part='sensor' id='down' data-port='S1' data-sensor='ev3-color' cx='40' cy='0' r='5' data-height-mm='8'/>"
-            + "<g data-part='sensor' id='heat' data-port='S2' data-sensor='ev3-infrared' data-height-mm='50' transform='translate(50 20)'>"
-            + "<rect x='-10' y='-5' width='10' height='10'/></g>"
-            + "<g data-part='sensor' id='ears' data-port='S4' data-sensor='ev3-ultrasonic' data-height-mm='50' transform='translate(50 -20)'>"
-            + "<rect x='-10' y='-5' width='10' height='10'/></g>"
+            + "<rect data-part='wheel' id='left' data-port='B' data-motor='large' x='-28' y='-70' width='56' "
+            + "height='26' data-diameter-mm='56'/>"
+            + "<rect data-part='wheel' id='right' data-port='C' data-motor='large' x='-28' y='44' width='56' "
+            + "height='26' data-diameter-mm='56'/>"
+            + "<circle data-part='sensor' id='down' data-port='S1' data-sensor='ev3-color' cx='40' cy='0' r='5' "
+            + "data-height-mm='8'/>"
+            + "<g data-part='sensor' id='heat' data-port='S2' data-sensor='ev3-infrared' data-height-mm='50' "
+            + "transform='translate(50 20)'><rect x='-10' y='-5' width='10' height='10'/></g>"
+            + "<g data-part='sensor' id='ears' data-port='S4' data-sensor='ev3-ultrasonic' data-height-mm='50' "
+            + "transform='translate(50 -20)'><rect x='-10' y='-5' width='10' height='10'/></g>"
             + "<g data-part='turret' id='mast' data-port='A' data-motor='medium' transform='translate(-60 0)'/></svg>";
 
     private static SimulationSettings.Builder settings() throws DescriptionException {
-        return SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).robot(SvgRobotReader.readText("robot.svg", ROBOT))
-                .ideal(true);
+        return SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD))
+                .robot(SvgRobotReader.readText("robot.svg", ROBOT)).ideal(true);
     }
 
     private static Frame.RobotFrame seen() throws DescriptionException {
@@ -89,7 +92,8 @@ class FrameTest {
 
     @Test
     void bodiesAreThereOnceTheyMoved() throws DescriptionException {
-        try (Run run = new Simulation(settings().stimuli(StimuliReader.readText("s", "10ms move box 400,300 90")).build()).start(ManyEyes.class)) {
+        try (Run run = new Simulation(settings().stimuli(StimuliReader.readText("s", "10ms move box 400,300 90"))
+                .build()).start(ManyEyes.class)) {
             assertThat(run.frame().bodies()).isEmpty();
             run.advance(Duration.ofMillis(20));
             assertThat(run.frame().bodies()).extracting(body -> body.id()).containsExactly("box");

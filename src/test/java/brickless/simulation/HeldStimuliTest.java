@@ -18,15 +18,19 @@ import programs.robots.KeyWatch;
 import programs.robots.RemoteWatch;
 import programs.robots.TouchWatch;
 
-/** Stimuli of people who do not know beforehand what they will do: held for an unknown time, given while the run goes on. */
+/**
+ * Stimuli of people who do not know beforehand what they will do: held for an unknown time, given while the run goes
+ * on.
+ */
 class HeldStimuliTest {
     private static final String TWO = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 1000'>"
-            + "<g data-robot='left' transform='translate(500 500)'/><g data-robot='right' transform='translate(1500 500)'/></svg>";
+            + "<g data-robot='left' transform='translate(500 500)'/>"
+            + "<g data-robot='right' transform='translate(1500 500)'/></svg>";
     private static final Duration STEP = Duration.ofMillis(2);
 
     private static SimulationSettings.Builder settings(String... stimuli) throws DescriptionException {
-        return SimulationSettings.builder(SvgWorldReader.readText("two.svg", TWO)).ideal(true).pressButtons(false).limit(Duration.ofSeconds(6))
-                .stimuli(StimuliReader.readText("stimuli", String.join("\n", stimuli)));
+        return SimulationSettings.builder(SvgWorldReader.readText("two.svg", TWO)).ideal(true).pressButtons(false)
+                .limit(Duration.ofSeconds(6)).stimuli(StimuliReader.readText("stimuli", String.join("\n", stimuli)));
     }
 
     private static Run run(Class<?> program, String... stimuli) throws DescriptionException {
@@ -41,8 +45,8 @@ class HeldStimuliTest {
 
     @Test
     void aKeyIsDownFromHoldToRelease() throws DescriptionException {
-        assertThat(printed(run(KeyWatch.class, "1s hold key ENTER", "1500ms release key ENTER", "2s press LEFT 100ms", "3s press UP 100ms"), 0))
-                .containsExactly("2", "16", "1");
+        assertThat(printed(run(KeyWatch.class, "1s hold key ENTER", "1500ms release key ENTER", "2s press LEFT 100ms",
+                "3s press UP 100ms"), 0)).containsExactly("2", "16", "1");
     }
 
     @Test
@@ -53,14 +57,14 @@ class HeldStimuliTest {
 
     @Test
     void aRemoteButtonSendsFromHoldToRelease() throws DescriptionException {
-        assertThat(printed(run(RemoteWatch.class, "2s hold remote 2 TOP_LEFT", "3s release remote 2 TOP_LEFT", "4s remote 2 BEACON 300ms"), 0))
-                .containsExactly("command 1", "command 0", "command 9", "command 0");
+        assertThat(printed(run(RemoteWatch.class, "2s hold remote 2 TOP_LEFT", "3s release remote 2 TOP_LEFT",
+                "4s remote 2 BEACON 300ms"), 0)).containsExactly("command 1", "command 0", "command 9", "command 0");
     }
 
     @Test
     void aStimulusConcernsTheRobotThatItNames() throws DescriptionException {
-        Run run = run(KeyWatch.class, "1s press ENTER 100ms on right", "2s hold key LEFT on right", "3s release key LEFT on right",
-                "4s press UP 100ms");
+        Run run = run(KeyWatch.class, "1s press ENTER 100ms on right", "2s hold key LEFT on right",
+                "3s release key LEFT on right", "4s press UP 100ms");
         assertThat(printed(run, 0)).containsExactly("1");
         assertThat(printed(run, 1)).containsExactly("2", "16");
     }
@@ -90,9 +94,12 @@ class HeldStimuliTest {
     /** Planned beforehand or given at the last moment, at the same instants: the same trace. */
     @Test
     void stimuliGivenWhileTheRunGoesOnGiveTheTraceOfPlannedOnes() throws DescriptionException {
-        String[] lines = {"2ms hold key ENTER", "500ms push S1 500ms", "700ms hold remote 2 TOP_LEFT", "1s release key ENTER",
-            "1s push S1 200ms", "1s press LEFT 100ms on right", "1100ms press LEFT 100ms on right", "2s move left 600,400 45",
-            "2s move left 610,400 45", "2600ms release remote 2 TOP_LEFT", "3s battery 7.1V on right"};
+        String[] lines = {
+            "2ms hold key ENTER", "500ms push S1 500ms", "700ms hold remote 2 TOP_LEFT", "1s release key ENTER",
+            "1s push S1 200ms", "1s press LEFT 100ms on right", "1100ms press LEFT 100ms on right",
+            "2s move left 600,400 45", "2s move left 610,400 45", "2600ms release remote 2 TOP_LEFT",
+            "3s battery 7.1V on right"
+        };
         Run planned = run(TouchWatch.class, lines);
         Run live = new Simulation(settings().build()).start(TouchWatch.class);
         for (String line : lines) {
@@ -109,7 +116,8 @@ class HeldStimuliTest {
 
     @Test
     void aKeyHeldByHandWasNotPlannedForAutomaticPresses() throws DescriptionException {
-        Run planned = new Simulation(settings("4s hold key LEFT", "5s release key LEFT").pressButtons(true).build()).start(KeyWatch.class);
+        Run planned = new Simulation(settings("4s hold key LEFT", "5s release key LEFT").pressButtons(true).build())
+                .start(KeyWatch.class);
         planned.toEnd();
         Run live = new Simulation(settings().pressButtons(true).build()).start(KeyWatch.class);
         for (String line : new String[] {"4s hold key LEFT", "5s release key LEFT"}) {
@@ -127,7 +135,8 @@ class HeldStimuliTest {
         for (long millis : new long[] {2, 50, 1_234, 2_000}) {
             Run limited = new Simulation(settings().limit(Duration.ofMillis(millis)).build()).start(TouchWatch.class);
             limited.toEnd();
-            Run closed = new Simulation(settings().limit(Duration.ofNanos(Long.MAX_VALUE)).build()).start(TouchWatch.class);
+            Run closed = new Simulation(settings().limit(Duration.ofNanos(Long.MAX_VALUE)).build())
+                    .start(TouchWatch.class);
             closed.advance(Duration.ofMillis(millis));
             closed.close();
             assertThat(closed.report().traceHash()).as("after %d ms", millis).isEqualTo(limited.report().traceHash());

@@ -13,7 +13,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Many threads, again and again, on a host whose processors are all busy with something else: one run. {@code bench.Repetitions} does more. */
+/**
+ * Many threads, again and again, on a host whose processors are all busy with something else: one run.
+ * {@code bench.Repetitions} does more.
+ */
 class RepetitionTest {
     private static final int REPETITIONS = 10;
     private static final Duration LENGTH = Duration.ofSeconds(20);
@@ -34,7 +37,8 @@ class RepetitionTest {
     }
 
     private static RunReport run(String main, BackendChoice backend) throws DescriptionException {
-        Run run = new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(LENGTH).build()).start(programs.program(main));
+        Run run = new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(LENGTH).build())
+                .start(programs.program(main));
         run.toEnd();
         return run.report();
     }
@@ -46,7 +50,8 @@ class RepetitionTest {
         assertThat(first.contextSwitches()).as("there is something to go wrong").isGreaterThan(1_000);
         try (BusyHost busy = new BusyHost()) {
             for (int i = 0; i < REPETITIONS; i++) {
-                assertThat(run("sensorthreads.SensorThreads", backend).traceHash()).as("repetition %d", i).isEqualTo(first.traceHash());
+                assertThat(run("sensorthreads.SensorThreads", backend).traceHash()).as("repetition %d", i)
+                        .isEqualTo(first.traceHash());
             }
         }
     }
@@ -54,6 +59,7 @@ class RepetitionTest {
     @ParameterizedTest
     @MethodSource("backends")
     void aProgramOfOneThreadNeedsNoSwitches(BackendChoice backend) throws Exception {
-        assertThat(run("square.Square", backend).contextSwitches()).as("only the threads of leJOS itself start and end").isLessThan(10);
+        assertThat(run("square.Square", backend).contextSwitches()).as("only the threads of leJOS itself start and end")
+                .isLessThan(10);
     }
 }

@@ -32,9 +32,10 @@ class ReportPageTest {
     @BeforeAll
     static void runTheExplorer() throws Exception {
         Path home = Path.of(System.getProperty("brickless.home"));
-        SimulationSettings settings = SimulationSettings.builder(new Library(home).world("sim/worlds/pen.svg")).limit(Duration.ofSeconds(SECONDS))
-                .out(Optional.of(folder)).build();
-        try (Program program = new ProgramFinder(home, List.of(), Optional.empty()).find("sim/programs/explorer/Explorer.java");
+        SimulationSettings settings = SimulationSettings.builder(new Library(home).world("sim/worlds/pen.svg"))
+                .limit(Duration.ofSeconds(SECONDS)).out(Optional.of(folder)).build();
+        try (Program program = new ProgramFinder(home, List.of(), Optional.empty())
+                .find("sim/programs/explorer/Explorer.java");
                 Run run = new Simulation(settings).start(program)) {
             run.toEnd();
         }
@@ -55,10 +56,12 @@ class ReportPageTest {
 
     private static void assertAgrees(ReportPage page, double seconds) {
         assertThat(page.time()).as("time").isCloseTo(seconds, within(1e-6));
-        assertThat(page.pose()).as("pose at %s s", seconds).usingElementComparator((a, b) -> Math.abs(a - b) < 0.02 ? 0 : Double.compare(a, b))
+        assertThat(page.pose()).as("pose at %s s", seconds)
+                .usingElementComparator((a, b) -> Math.abs(a - b) < 0.02 ? 0 : Double.compare(a, b))
                 .containsExactly(truth.pose(seconds));
         assertThat(page.pixels()).as("screen at %s s", seconds).isEqualTo(truth.pixels(seconds));
-        assertThat(page.activeBehaviours()).as("active behaviour at %s s", seconds).isEqualTo(truth.activeBehaviours(seconds));
+        assertThat(page.activeBehaviours()).as("active behaviour at %s s", seconds)
+                .isEqualTo(truth.activeBehaviours(seconds));
     }
 
     @Test
@@ -116,28 +119,35 @@ class ReportPageTest {
     void aPushedBoxIsDrawnWhereItWasPushed() {
         BodySample box = truth.trace().samples.get(truth.trace().samples.size() - 1).bodies().get(0);
         open("#t=" + SECONDS);
-        String shown = (String) browser.value("document.querySelector('.layer.world').shadowRoot.getElementById('" + box.id()
+        String shown = (String) browser.value(
+                "document.querySelector('.layer.world').shadowRoot.getElementById('" + box.id()
                 + "').getAttribute('data-displacement')");
-        assertThat(Arrays.stream(shown.split(" ")).map(Double::valueOf)).usingElementComparator((a, b) -> Math.abs(a - b) < 0.01 ? 0 : Double.compare(a, b))
-                .containsExactly(box.displacement().x() * 1000, box.displacement().y() * 1000, Math.toDegrees(box.displacement().headingRadians()));
+        assertThat(Arrays.stream(shown.split(" ")).map(Double::valueOf))
+                .usingElementComparator((a, b) -> Math.abs(a - b) < 0.01 ? 0 : Double.compare(a, b))
+                .containsExactly(box.displacement().x() * 1000, box.displacement().y() * 1000,
+                        Math.toDegrees(box.displacement().headingRadians()));
     }
 
     @Test
     void anUntouchedBoxIsDrawnAtItsPlace() {
         open("#t=0");
-        assertThat(browser.value("document.querySelector('.layer.world').shadowRoot.querySelector('[data-displacement]')")).isNull();
+        assertThat(browser.value(
+                "document.querySelector('.layer.world').shadowRoot.querySelector('[data-displacement]')")).isNull();
     }
 
     @Test
     void anEventThatIsClickedIsGoneTo() {
         ReportPage page = open("");
-        double seconds = ((Number) browser.value("Number(document.querySelectorAll('#list-events .row')[5].dataset.time)")).doubleValue();
+        double seconds = ((Number) browser.value(
+                "Number(document.querySelectorAll('#list-events .row')[5].dataset.time)")).doubleValue();
         browser.click("#list-events .row:nth-child(6)");
         assertThat(page.time()).isEqualTo(seconds);
         browser.run("document.getElementById('list-events').focus()");
-        browser.value("document.getElementById('list-events').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowDown', bubbles: true}))");
+        browser.value("document.getElementById('list-events')"
+                + ".dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowDown', bubbles: true}))");
         assertThat(page.time()).isGreaterThanOrEqualTo(seconds);
-        assertThat(browser.value("document.querySelectorAll('#list-events [aria-selected=true]').length")).isEqualTo(1L);
+        assertThat(browser.value("document.querySelectorAll('#list-events [aria-selected=true]').length"))
+                .isEqualTo(1L);
     }
 
     @Test

@@ -35,9 +35,11 @@ class LifeOfAViewTest {
     @Test
     void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
         List<String> before = threads();
-        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator spectator = Spectator.of(visit.view)) {
+        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit);
+                Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitTime(60);
-            assertThat(threads()).contains("brickless-view-driver", "brickless-view-files", "brickless-view-http", "brickless-run");
+            assertThat(threads()).contains("brickless-view-driver", "brickless-view-files", "brickless-view-http",
+                    "brickless-run");
             visit.view.close();
             assertThat(threads()).isEqualTo(before);
             JsonFields last = spectator.await("state", state -> state.has("ended")).fields();
@@ -97,9 +99,11 @@ class LifeOfAViewTest {
             visit.command("{'do':'hold','what':'key LEFT','down':true}");
             visit.command("{'do':'hold','what':'key LEFT','down':true}");
             visit.command("{'do':'hold','what':'push S1','down':false}");
-            assertThat(stays.await("state", state -> state.integer("touches") == 1).fields().nanos("t")).isEqualTo(held + 2_000_000);
+            assertThat(stays.await("state", state -> state.integer("touches") == 1).fields().nanos("t"))
+                    .isEqualTo(held + 2_000_000);
             visit.command("{'do':'hold','what':'key LEFT','down':false}");
-            assertThat(stays.await("state", state -> state.integer("touches") == 2).fields().nanos("t")).isEqualTo(held + 4_000_000);
+            assertThat(stays.await("state", state -> state.integer("touches") == 2).fields().nanos("t"))
+                    .isEqualTo(held + 4_000_000);
         }
     }
 
@@ -136,19 +140,22 @@ class LifeOfAViewTest {
         socket.setReceiveBufferSize(2_048);
         socket.setSoTimeout(40_000);
         socket.connect(new InetSocketAddress("127.0.0.1", visit.view.address().getPort()));
-        socket.getOutputStream().write(("GET " + visit.view.address().getPath() + "events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        socket.getOutputStream()
+                .write(("GET " + visit.view.address().getPath() + "events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
                 .getBytes(StandardCharsets.US_ASCII));
         return socket;
     }
 
     @Test
     void aViewerThatSleepsDelaysNobodyAndCatchesUpWhenItWakes() throws Exception {
-        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator awake = Spectator.of(visit.view)) {
+        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit);
+                Spectator awake = Spectator.of(visit.view)) {
             double asleep = awake.awaitTime(60).number("t");
             awake.await("frame", frame -> frame.number("t") > asleep + 60);
             visit.command("{'do':'pause'}");
             double held = awake.await("state", state -> !state.flag("running")).fields().number("t");
-            BufferedReader in = new BufferedReader(new InputStreamReader(sleeper.getInputStream(), StandardCharsets.UTF_8));
+            BufferedReader in = new BufferedReader(
+                    new InputStreamReader(sleeper.getInputStream(), StandardCharsets.UTF_8));
             String newest = "data: {\"t\":" + Decimals.text(held, 6) + ",\"session\":1,\"running\":false";
             int frames = 0;
             String line = in.readLine();
@@ -181,7 +188,8 @@ class LifeOfAViewTest {
     }
 
     private static LiveView open(int port, String token) {
-        return LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed), ViewOptions.of(port, Optional.of(token), 1));
+        return LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed),
+                ViewOptions.of(port, Optional.of(token), 1));
     }
 
     @Test

@@ -17,19 +17,23 @@ class LivePageTest {
 
     @Test
     void onlyItsOwnScriptRunsAndItTalksToItsOwnServerOnly() throws GeneralSecurityException {
-        String hash = Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(script().getBytes(StandardCharsets.UTF_8)));
-        assertThat(LivePage.html()).contains("default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" + hash
+        String hash = Base64.getEncoder()
+                .encodeToString(MessageDigest.getInstance("SHA-256").digest(script().getBytes(StandardCharsets.UTF_8)));
+        assertThat(LivePage.html())
+                .contains("default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" + hash
                 + "'; connect-src 'self'; base-uri 'none'; form-action 'none'");
     }
 
     @Test
     void nothingIsLoadedFromAnywhere() {
-        assertThat(LivePage.html().replace("http://www.w3.org/2000/svg", "")).doesNotContain("http:").doesNotContain("https:").doesNotContain("@import");
+        assertThat(LivePage.html().replace("http://www.w3.org/2000/svg", "")).doesNotContain("http:")
+                .doesNotContain("https:").doesNotContain("@import");
     }
 
     @Test
     void noScriptMakesMarkupOfText() {
-        assertThat(script()).doesNotContain("innerHTML").doesNotContain("outerHTML").doesNotContain("insertAdjacentHTML").doesNotContain("document.write")
+        assertThat(script()).doesNotContain("innerHTML").doesNotContain("outerHTML")
+                .doesNotContain("insertAdjacentHTML").doesNotContain("document.write")
                 .doesNotContain("createContextualFragment").doesNotContain("eval(");
     }
 

@@ -97,7 +97,8 @@ class LiveViewPageTest {
     void tonesArePlayedUnlessSoundIsOff() {
         LivePageInBrowser page = page();
         browser.run("window.tones = 0; const start = OscillatorNode.prototype.start;"
-                + "OscillatorNode.prototype.start = function (...when) { window.tones += this.frequency.value === 440 ? 1 : 0; start.apply(this, when); };");
+                + "OscillatorNode.prototype.start = function (...when) { window.tones += this.frequency.value === 440 "
+                + "? 1 : 0; start.apply(this, when); };");
         browser.hands().sendKeys("m").sendKeys("m").sendKeys(Keys.ARROW_LEFT).perform();
         browser.await("window.tones === 1");
         browser.hands().sendKeys("m").perform();
@@ -161,7 +162,8 @@ class LiveViewPageTest {
     void aRobotIsDraggedAndTurned() {
         LivePageInBrowser page = page();
         double[] before = page.pose();
-        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(40, 20).moveByOffset(40, 20).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(40, 20)
+                .moveByOffset(40, 20).release().perform();
         double x = before[0] + 80 * page.scale();
         double y = before[1] + 40 * page.scale();
         page.awaitPose("Math.abs(x - %s) < 6 && Math.abs(y - %s) < 6 && Math.abs(heading) < 1".formatted(x, y));
@@ -173,9 +175,11 @@ class LiveViewPageTest {
     @Test
     void aBoxIsDraggedAndTakenAway() {
         LivePageInBrowser page = page();
-        browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10)
+                .release().perform();
         String world = "document.querySelector('.layer.world').shadowRoot.getElementById('tin')";
-        browser.await("(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < 4)((%s.dataset.displacement || '0 0').split(' ').map(Number))"
+        browser.await("(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < "
+                + "4)((%s.dataset.displacement || '0 0').split(' ').map(Number))"
                 .formatted(30 * page.scale(), 10 * page.scale(), world));
         browser.run("document.querySelector('[data-name=tin]').focus()");
         browser.hands().sendKeys(Keys.DELETE).perform();
@@ -204,7 +208,8 @@ class LiveViewPageTest {
         LivePageInBrowser page = page();
         try (Browser other = new Browser(390, 844)) {
             LivePageInBrowser second = new LivePageInBrowser(other, view);
-            browser.run("const s = document.querySelector('.controls .speed'); s.value = '10'; s.dispatchEvent(new Event('change'));");
+            browser.run("const s = document.querySelector('.controls .speed'); s.value = '10'; "
+                    + "s.dispatchEvent(new Event('change'));");
             other.await("document.querySelector('.controls .speed').value === '10'");
             browser.await("parseFloat(document.querySelector('.rate').textContent) > 2");
             second.awaitLine("HELLO");
@@ -237,16 +242,19 @@ class LiveViewPageTest {
         page.awaitLine("Enter down");
         page.release();
         page.awaitLine("Enter up");
-        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(25, 15).moveByOffset(25, -30).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(25, 15)
+                .moveByOffset(25, -30).release().perform();
         browser.click(".clap");
-        browser.run("const b = document.getElementById('battery'); b.value = '6.4'; b.dispatchEvent(new Event('input')); b.dispatchEvent(new Event('change'));");
+        browser.run("const b = document.getElementById('battery'); b.value = '6.4'; "
+                + "b.dispatchEvent(new Event('input')); b.dispatchEvent(new Event('change'));");
         page.press("[data-remote=TOP_LEFT]");
         page.release();
         browser.hands().sendKeys(Keys.ESCAPE).perform();
         page.awaitRun("ended");
         assertThat(page.status()).isEqualTo("exited");
         String stimuli = page.stimuli();
-        assertThat(stimuli).contains("hold key ENTER").contains("move robot ").contains("clap 80dB").contains("battery 6.4V").contains("remote 1 TOP_LEFT");
+        assertThat(stimuli).contains("hold key ENTER").contains("move robot ").contains("clap 80dB")
+                .contains("battery 6.4V").contains("remote 1 TOP_LEFT");
         assertThat(source.headless(stimuli).traceHash()).isEqualTo(page.hash());
     }
 

@@ -39,7 +39,8 @@ class TapTest {
         assertThat(lines).hasSize(3);
         assertThat(lines.get(0)).contains("\"robot\":\"two\"", "\"rows\":[5],\"pixels\":[\"bb\"]");
         assertThat(lines.get(1)).contains("led");
-        assertThat(lines.get(2)).contains("\"t\":0.005", "\"robot\":\"one\"", "\"rows\":[3,5],\"pixels\":[\"cc\",\"dd\"]");
+        assertThat(lines.get(2)).contains("\"t\":0.005", "\"robot\":\"one\"",
+                "\"rows\":[3,5],\"pixels\":[\"cc\",\"dd\"]");
     }
 
     @Test

@@ -19,8 +19,8 @@ class TouchesTest {
 
     @Test
     void wordsMeanWhatTheyMeanInAStimuliFile() throws DescriptionException {
-        for (String words : List.of("clap 80dB", "move robot 500,300.5 -90", "remove crate", "battery 6.9V on two", "push S1 300ms",
-                "hold key ENTER", "release remote 1 TOP_LEFT on two")) {
+        for (String words : List.of("clap 80dB", "move robot 500,300.5 -90", "remove crate", "battery 6.9V on two",
+                "push S1 300ms", "hold key ENTER", "release remote 1 TOP_LEFT on two")) {
             assertThat(read(words)).isEqualTo(StimuliReader.readText("file", "1002ms " + words));
         }
     }
@@ -42,7 +42,8 @@ class TouchesTest {
         touches.read("clap 70dB", 500 * MILLI, STEP).forEach(touches::add);
         assertThat(touches.count()).isEqualTo(3);
         String file = touches.file("brickless run X --stimuli stimuli.txt");
-        assertThat(file.lines().skip(1)).containsExactly("# brickless run X --stimuli stimuli.txt", "100ms hold key UP", "120ms release key UP",
+        assertThat(file.lines().skip(1))
+                .containsExactly("# brickless run X --stimuli stimuli.txt", "100ms hold key UP", "120ms release key UP",
                 "500ms clap 50dB", "500ms clap 70dB", "2000ms clap 60dB");
         assertThat(StimuliReader.readText("saved", file)).hasSize(5);
     }
@@ -55,8 +56,8 @@ class TouchesTest {
 
     @Test
     void linesWithinWordsAreRefused() {
-        for (String words : List.of("", "clap 80dB\n1s clap 80dB", "clap 80dB\r1s clap 80dB", "clap 80dB\u20281s clap 80dB", "# comment",
-                "clap 80dB # loud", "x".repeat(201))) {
+        for (String words : List.of("", "clap 80dB\n1s clap 80dB", "clap 80dB\r1s clap 80dB",
+                "clap 80dB\u20281s clap 80dB", "# comment", "clap 80dB # loud", "x".repeat(201))) {
             assertThatThrownBy(() -> read(words)).as(words).isInstanceOf(RefusedException.class);
         }
     }

@@ -9,7 +9,9 @@ import lejos.robotics.SampleProvider;
 import lejos.robotics.subsumption.Arbitrator;
 import lejos.robotics.subsumption.Behavior;
 
-/** The textbook bumper car, for ever: an arbitrator whose behaviours ask a touch and an ultrasonic sensor all the time. */
+/**
+ * The textbook bumper car, for ever: an arbitrator whose behaviours ask a touch and an ultrasonic sensor all the time.
+ */
 public class Bumper {
     static final RegulatedMotor LEFT = Motor.B;
     static final RegulatedMotor RIGHT = Motor.C;

@@ -22,7 +22,8 @@ class FormatDocumentTest {
         return Files.readString(Shipped.file("sim/docs/WORLD-FORMAT.md"));
     }
 
-    @TestFactory Stream<DynamicTest> everyExampleCanBeRead() throws IOException {
+    @TestFactory
+    Stream<DynamicTest> everyExampleCanBeRead() throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
         Matcher examples = EXAMPLE.matcher(document());
         while (examples.find()) {

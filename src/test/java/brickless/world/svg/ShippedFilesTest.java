@@ -42,7 +42,8 @@ class ShippedFilesTest {
     }
 
     /** Every robot fits into every start place, so that any program and robot can be tried in any world. */
-    @TestFactory Stream<DynamicTest> everyRobotFitsIntoEveryStartPlace() {
+    @TestFactory
+    Stream<DynamicTest> everyRobotFitsIntoEveryStartPlace() {
         return Shipped.worlds().stream().map(path -> DynamicTest.dynamicTest(path.getFileName().toString(), () -> {
             World world = SvgWorldReader.read(path);
             assertThat(world.placements()).isNotEmpty();
@@ -54,7 +55,8 @@ class ShippedFilesTest {
         }));
     }
 
-    @TestFactory Stream<DynamicTest> everyRobotStandsOnItsWheelsAndCasters() {
+    @TestFactory
+    Stream<DynamicTest> everyRobotStandsOnItsWheelsAndCasters() {
         return Shipped.robots().stream().map(path -> DynamicTest.dynamicTest(path.getFileName().toString(), () -> {
             RobotModel robot = SvgRobotReader.read(path);
             List<Point2> supports = Stream.concat(robot.wheels().stream().map(Wheel::position),
