@@ -1,9 +1,9 @@
 package brickless.cli;
 
+import brickless.kernel.BackendChoice;
 import brickless.program.Program;
 import brickless.program.ProgramException;
 import brickless.program.ProgramFinder;
-import brickless.kernel.BackendChoice;
 import brickless.simulation.Durations;
 import brickless.simulation.Goal;
 import brickless.simulation.Library;

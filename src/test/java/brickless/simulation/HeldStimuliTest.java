@@ -3,11 +3,11 @@ package brickless.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import brickless.program.Program;
 import brickless.trace.Sample;
 import brickless.trace.TraceEvent;
 import brickless.trace.TraceHeader;
 import brickless.trace.TraceListener;
-import brickless.program.Program;
 import brickless.world.DescriptionException;
 import brickless.world.svg.SvgWorldReader;
 import java.time.Duration;
