@@ -85,7 +85,7 @@ final class ExploreCommand implements Callable<Integer> {
         return run.report();
     }
 
-    private String failureKind(RunReport report) {
+    private static String failureKind(RunReport report) {
         if (!report.outcome().successful()) {
             return report.outcome().kind().equals("exited")
                     ? "exited with status " + report.outcome().exitStatus().orElse(0) : report.outcome().kind();

@@ -92,7 +92,7 @@ final class SweepLines implements AutoCloseable {
     }
 
     /** What is in the file, which from now on is ours alone. */
-    private byte[] open(Path target) throws IOException {
+    private byte[] open(Path target) {
         try {
             Files.createDirectories(target.toAbsolutePath().getParent());
             channel = FileChannel.open(target, StandardOpenOption.CREATE, StandardOpenOption.READ,

@@ -108,7 +108,7 @@ public final class TraceReader {
         }
     }
 
-    private TraceHeader header(String type, JsonFields fields) {
+    private static TraceHeader header(String type, JsonFields fields) {
         if (!type.equals("header")) {
             throw new IllegalArgumentException("is no trace: the first line is no header");
         }

@@ -250,7 +250,7 @@ class BadInputTest {
     }
 
     @Test
-    void folderThatIsAFile() throws IOException {
+    void folderThatIsAFile() {
         Path file = write("results", "already here");
         CommandLineRun run = CommandLineRun.of("run", idle, "--out", file);
         assertThat(run.status()).isEqualTo(2);

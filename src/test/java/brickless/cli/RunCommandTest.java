@@ -193,7 +193,7 @@ class RunCommandTest {
     }
 
     @Test
-    void theSummaryTellsTheFittedRobotAndTheFolder() throws IOException {
+    void theSummaryTellsTheFittedRobotAndTheFolder() {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"));
         assertThat(run.out()).contains("robot fitted to the program: ", "left wheel on B (large motor, 56.0 mm)",
                 "ev3-ultrasonic on S4", "outcome    exited with status 0",

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class SweepKilledTest {
     @TempDir Path folder;
 
-    private String[] sweep(Path out) {
+    private static String[] sweep(Path out) {
         return new String[] {"sweep", CommandLineRun.program("square/Square.java").toString(), "--seeds", "1..24",
                 "--for", "4s", "--jobs", "2",
             "--out", out.toString()};

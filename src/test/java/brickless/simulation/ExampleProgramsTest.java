@@ -56,7 +56,7 @@ class ExampleProgramsTest {
                 + content + "</svg>");
     }
 
-    private void staysInThePen(Trace trace) {
+    private static void staysInThePen(Trace trace) {
         assertThat(Arrays.stream(trace.numbers("sample", "x")).allMatch(x -> x > 0.03 && x < 1.97))
                 .as("x of all samples inside").isTrue();
         assertThat(Arrays.stream(trace.numbers("sample", "y")).allMatch(y -> y > 0.03 && y < 1.47))

@@ -119,7 +119,7 @@ class FittedRobotsTest {
         return run;
     }
 
-    private void drivesAsMeant(Meant meant, Run run) throws DescriptionException, ProgramException {
+    private static void drivesAsMeant(Meant meant, Run run) {
         assertThat(run.outcome().exitStatus()).as(run.outcome().toString()).contains(0);
         assertThat(run.report().notes().get(0)).contains(meant.robot);
         RobotView robot = run.robot();

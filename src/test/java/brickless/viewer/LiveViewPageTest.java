@@ -62,7 +62,7 @@ class LiveViewPageTest {
         return page;
     }
 
-    private HttpResponse<String> post(String address, String body) throws Exception {
+    private static HttpResponse<String> post(String address, String body) throws Exception {
         HttpRequest request = HttpRequest.newBuilder(URI.create(address)).header("Content-Type", "application/json")
                 .POST(HttpRequest.BodyPublishers.ofString(body)).build();
         return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString());

@@ -17,7 +17,7 @@ class InkscapeTest {
     private static World world;
 
     @BeforeAll
-    static void read() throws IOException, URISyntaxException, DescriptionException {
+    static void read() throws URISyntaxException, DescriptionException {
         world = SvgWorldReader.read(Path.of(InkscapeTest.class.getResource("inkscape.svg").toURI()));
     }
 

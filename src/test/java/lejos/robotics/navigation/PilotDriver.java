@@ -159,7 +159,7 @@ final class PilotDriver {
                 move.getAngleTurned(), move.getTravelSpeed(), move.getRotateSpeed(), move.isMoving() ? 1 : 0};
         }
 
-        private void note(Sightings seen, String label, float[] values) {
+        private static void note(Sightings seen, String label, float[] values) {
             for (int i = 0; i < values.length; i++) {
                 seen.note(label + " " + i, values[i]);
             }
