@@ -1,8 +1,8 @@
 package brickless.physics;
 
 import java.util.Arrays;
-import org.jbox2d.callbacks.TreeRayCastCallback;
-import org.jbox2d.collision.RayCastInput;
+import org.jbox2d.callbacks.TreeCallback;
+import org.jbox2d.collision.AABB;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
@@ -69,12 +69,17 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
         m_flags &= ~LOCKED;
     }
 
-    /** Tells about the shapes whose boxes a ray meets, by their proxies' numbers. */
-    void castRay(TreeRayCastCallback callback, RayCastInput ray) {
+    /** Tells about the shapes whose boxes overlap with a box, by their proxies' numbers. */
+    void find(TreeCallback callback, AABB box) {
         if (fixturesVersion != tree.version()) {
             listFixtures();
         }
-        tree.raycast(callback, ray);
+        tree.query(callback, box);
+    }
+
+    /** The box around the shape with a proxy number. */
+    AABB fatBox(int proxy) {
+        return tree.getFatAABB(proxy);
     }
 
     /** The shape with a proxy number. */
@@ -104,12 +109,13 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
                 Drivetrain alone = alone(seed);
                 if (alone != null) {
                     seed.m_flags |= Body.e_islandFlag;
-                    free.move(seed, alone, step);
+                    free.add(seed, alone, step);
                 } else {
                     solveIsland(seed);
                 }
             }
         }
+        free.finish(step);
         for (Body body = getBodyList(); body != null; body = body.m_next) {
             if ((body.m_flags & Body.e_islandFlag) != 0) {
                 body.m_flags &= ~Body.e_islandFlag;
