@@ -21,7 +21,7 @@ import org.jbox2d.dynamics.contacts.Velocity;
  */
 final class FreeMotion {
     /** Robots that take turns: more would not fit into what a processor has at hand. */
-    static final int TOGETHER = 8;
+    static final int TOGETHER = 4;
 
     private final Body[] bodies = new Body[TOGETHER];
     private final Drivetrain[] drivetrains = new Drivetrain[TOGETHER];

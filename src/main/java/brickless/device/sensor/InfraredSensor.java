@@ -13,7 +13,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
-final class InfraredSensor extends UartSensor implements RayFan.Visitor {
+final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfActing {
     private static final int DEVICE = 33;
     /** Time between measurements, nanoseconds: assumption within 50 to 60 ms. */
     static final long PERIOD_NANOS = 50_000_000;
@@ -56,7 +56,7 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor {
         }
     }
 
-    @Override void afterStep(long nowNanos) {
+    @Override public void afterStep(long nowNanos) {
         long update = nowNanos / PERIOD_NANOS;
         if (mode() != DARK && (update != lastUpdate || site().ideal())) {
             measure(update);
