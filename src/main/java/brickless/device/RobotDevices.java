@@ -5,6 +5,7 @@ import brickless.device.motor.MotorDevice;
 import brickless.device.motor.MotorFitting;
 import brickless.device.sensor.FloorColour;
 import brickless.device.sensor.RemoteControl;
+import brickless.device.sensor.SelfActingSensors;
 import brickless.device.sensor.SensorFitting;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
@@ -30,6 +31,7 @@ public final class RobotDevices {
     private final Battery battery = new Battery();
     private final RemoteControl remote = new RemoteControl();
     private final MotorDevice[] motors = new MotorDevice[PORTS];
+    private final SelfActingSensors selfActing = new SelfActingSensors();
     private final SensorPortDevice[] sensors = new SensorPortDevice[PORTS];
 
     /**
@@ -47,7 +49,7 @@ public final class RobotDevices {
         this.arena = surroundings.arena();
         Arrays.setAll(motors, port -> new MotorDevice(port, robot.shaft(port), processor, arena, motorFitting));
         Arrays.setAll(sensors,
-                port -> new SensorPortDevice(port, robot, surroundings, remote, processor, sensorFitting));
+                port -> new SensorPortDevice(port, robot, surroundings, remote, selfActing, processor, sensorFitting));
         RobotModel model = robot.model();
         model.wheels().forEach(wheel -> motors[wheel.port()].plug(wheel.motor()));
         model.turrets().forEach(turret -> motors[turret.port()].plug(turret.motor()));
@@ -122,8 +124,6 @@ public final class RobotDevices {
 
     /** Sensors follow the arena; {@code nowNanos} is the time after the step. */
     public void afterStep(long nowNanos) {
-        for (SensorPortDevice sensor : sensors) {
-            sensor.afterStep(nowNanos);
-        }
+        selfActing.afterStep(nowNanos);
     }
 }

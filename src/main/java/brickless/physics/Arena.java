@@ -22,7 +22,8 @@ public final class Arena {
     private final List<RobotBody> robots;
     private final List<ObstacleBody> obstacles;
     private final Contacts contacts;
-    private final Rays rays;
+    private final Sector sector;
+    private final Aim line = new Aim();
     private final ZoneWatch zones;
     private final SoundField sound = new SoundField();
     private final ArenaSettings settings;
@@ -51,7 +52,7 @@ public final class Arena {
         this.obstacles = List.copyOf(solids);
         this.robots = List.copyOf(bodies);
         this.contacts = new Contacts(robots.size(), robots.size() + obstacles.size());
-        this.rays = new Rays(world);
+        this.sector = new Sector(world);
         this.zones = new ZoneWatch(description.zones(), robots.size());
         world.setContactListener(contacts);
     }
@@ -120,7 +121,17 @@ public final class Arena {
      */
     public void castRay(Aim aim, double turnRadians, double reachMetres, double leastHeightMetres, RobotBody own,
             RayHit out) {
-        rays.cast(aim, turnRadians, reachMetres, leastHeightMetres, own, out);
+        line.x = aim.x;
+        line.y = aim.y;
+        line.headingRadians = aim.headingRadians + turnRadians;
+        sector.see(leastHeightMetres, own);
+        sector.face(line, 1, 0, reachMetres, 0);
+        sector.cast(0, 1, 0, out);
+    }
+
+    /** What is in front of whoever looks; used for one place after the other. */
+    Sector sector() {
+        return sector;
     }
 
     /** The obstacle with an id, if it is still there. */

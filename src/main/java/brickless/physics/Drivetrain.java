@@ -1,5 +1,6 @@
 package brickless.physics;
 
+import java.util.Arrays;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.SolverData;
 import org.jbox2d.dynamics.contacts.Velocity;
@@ -22,6 +23,10 @@ final class Drivetrain extends Joint {
 
     private final Body robot;
     private final Shaft[] shafts;
+    private final boolean[] coupled;
+    /** The shafts that turn in this step, or may. */
+    private final Shaft[] turning;
+    private int turningCount;
     private final Tyre[] tyres;
     private final double[] tyreLimits;
     private final Skid[] skids;
@@ -37,12 +42,21 @@ final class Drivetrain extends Joint {
         super(ground.getWorld().getPool(), definition(ground, robot));
         this.robot = robot;
         this.shafts = shafts;
+        this.coupled = new boolean[shafts.length];
+        this.turning = new Shaft[shafts.length];
         this.tyres = tyres;
         this.tyreLimits = tyreLimits;
         this.skids = skids;
         this.skidLoads = skidLoads;
         this.gears = gears;
+        for (int i = 0; i < shafts.length; i++) {
+            coupled[i] = isCoupled(shafts[i]);
+        }
         replaceOrdinaryJoint(ground.getWorld().createJoint(definition(ground, robot)));
+    }
+
+    private boolean isCoupled(Shaft shaft) {
+        return Arrays.stream(tyres).anyMatch(tyre -> tyre.shaft == shaft) || Arrays.stream(gears).anyMatch(gear -> gear.shaft == shaft);
     }
 
     private static FrictionJointDef definition(Body ground, Body robot) {
@@ -82,9 +96,7 @@ final class Drivetrain extends Joint {
         Velocity velocity = data.velocities[robot.m_islandIndex];
         motion.begin(robot, data.positions[robot.m_islandIndex]);
         motion.read(velocity);
-        for (Shaft shaft : shafts) {
-            shaft.begin(dt);
-        }
+        beginShafts();
         for (int i = 0; i < tyres.length; i++) {
             tyres[i].begin(motion, tyreLimits[i], dt);
         }
@@ -97,12 +109,22 @@ final class Drivetrain extends Joint {
         motion.write(velocity);
     }
 
+    private void beginShafts() {
+        turningCount = 0;
+        for (int i = 0; i < shafts.length; i++) {
+            if (coupled[i] || !shafts[i].rests()) {
+                shafts[i].begin(dt);
+                turning[turningCount++] = shafts[i];
+            }
+        }
+    }
+
     @Override public void solveVelocityConstraints(SolverData data) {
         Velocity velocity = data.velocities[robot.m_islandIndex];
         motion.read(velocity);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            for (Shaft shaft : shafts) {
-                shaft.solve();
+            for (int i = 0; i < turningCount; i++) {
+                turning[i].solve();
             }
             for (TurretGear gear : gears) {
                 gear.solve(motion, data);
@@ -123,8 +145,8 @@ final class Drivetrain extends Joint {
         for (Tyre tyre : tyres) {
             tyre.end(motion, dt);
         }
-        for (Shaft shaft : shafts) {
-            shaft.end(dt);
+        for (int i = 0; i < turningCount; i++) {
+            turning[i].end(dt);
         }
     }
 

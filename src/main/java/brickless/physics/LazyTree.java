@@ -8,17 +8,16 @@ import org.jbox2d.callbacks.TreeRayCastCallback;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.collision.broadphase.BroadPhaseStrategy;
-import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.common.Vec2;
 
 /**
- * JBox2D's tree of bounding boxes, but a shape that moves within its box with margin stays where it is in the tree.
+ * The tree of bounding boxes, but a shape that moves within its box with margin stays where it is in the tree.
  *
  * <p>That is what the margin is for; the tree of JBox2D 2.2.1.1 compares the boxes the wrong way round and takes every
  * moving shape out and in again at every step, which was a third of the time of a run.
  */
 final class LazyTree implements BroadPhaseStrategy {
-    private final BroadPhaseStrategy tree = new DynamicTree();
+    private final BroadPhaseStrategy tree = new BoxTree();
     private final Map<Object, Integer> proxies = new IdentityHashMap<>();
     private int version;
 

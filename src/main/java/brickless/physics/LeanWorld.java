@@ -1,8 +1,10 @@
 package brickless.physics;
 
+import java.util.ArrayList;
 import java.util.Arrays;
-import org.jbox2d.callbacks.TreeRayCastCallback;
-import org.jbox2d.collision.RayCastInput;
+import java.util.List;
+import org.jbox2d.callbacks.TreeCallback;
+import org.jbox2d.collision.AABB;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
@@ -25,6 +27,8 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
  */
 final class LeanWorld extends org.jbox2d.dynamics.World {
     private static final Vec2 NO_GRAVITY = new Vec2(0, 0);
+    /** Of a body: awake, active, and not yet part of an island. */
+    private static final int MOVING = Body.e_awakeFlag | Body.e_activeFlag;
 
     private final TimeStep step = new TimeStep();
     private final Island island = new Island();
@@ -32,6 +36,8 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
     private final FreeMotion free = new FreeMotion();
     private final FatBoxes boxes;
     private final LazyTree tree;
+    private Body[] movable = new Body[0];
+    private int listedBodies;
     private Body[] stack = new Body[0];
     private Fixture[] fixtures = new Fixture[0];
     private int fixturesVersion = -1;
@@ -69,12 +75,17 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
         m_flags &= ~LOCKED;
     }
 
-    /** Tells about the shapes whose boxes a ray meets, by their proxies' numbers. */
-    void castRay(TreeRayCastCallback callback, RayCastInput ray) {
+    /** Tells about the shapes whose boxes overlap with a box, by their proxies' numbers. */
+    void find(TreeCallback callback, AABB box) {
         if (fixturesVersion != tree.version()) {
             listFixtures();
         }
-        tree.raycast(callback, ray);
+        tree.query(callback, box);
+    }
+
+    /** The box around the shape with a proxy number. */
+    AABB fatBox(int proxy) {
+        return tree.getFatAABB(proxy);
     }
 
     /** The shape with a proxy number. */
@@ -99,23 +110,39 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
 
     private void solve() {
         forgetIslands();
-        for (Body seed = getBodyList(); seed != null; seed = seed.m_next) {
-            if ((seed.m_flags & Body.e_islandFlag) == 0 && seed.m_type != BodyType.STATIC && seed.isAwake() && seed.isActive()) {
+        if (listedBodies != getBodyCount()) {
+            listBodies();
+        }
+        for (Body seed : movable) {
+            if ((seed.m_flags & (Body.e_islandFlag | Body.e_awakeFlag | Body.e_activeFlag)) == MOVING) {
                 Drivetrain alone = alone(seed);
                 if (alone != null) {
                     seed.m_flags |= Body.e_islandFlag;
-                    free.move(seed, alone, step);
+                    free.add(seed, alone, step);
                 } else {
                     solveIsland(seed);
                 }
             }
         }
-        for (Body body = getBodyList(); body != null; body = body.m_next) {
+        free.finish(step);
+        for (Body body : movable) {
             if ((body.m_flags & Body.e_islandFlag) != 0) {
                 body.m_flags &= ~Body.e_islandFlag;
                 boxes.follow(body);
             }
         }
+    }
+
+    /** Bodies that can move, in JBox2D's order; none is ever taken out of the world. */
+    private void listBodies() {
+        List<Body> found = new ArrayList<>();
+        for (Body body = getBodyList(); body != null; body = body.m_next) {
+            if (body.m_type != BodyType.STATIC) {
+                found.add(body);
+            }
+        }
+        movable = found.toArray(Body[]::new);
+        listedBodies = getBodyCount();
     }
 
     /** Takes the marks of the last step's islands away, if there were any; bodies have lost theirs already. */

@@ -5,9 +5,8 @@ import brickless.world.Pose2;
 import brickless.world.Region;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.RobotModel;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jbox2d.common.Vec2;
@@ -21,7 +20,10 @@ public final class RobotBody implements Solid {
     private final RobotModel model;
     private final RobotAssembly assembly;
     private final Rotation rotation;
-    private final List<Bumper> bumpers = new ArrayList<>();
+    private final Drivetrain drivetrain;
+    private final Turntable[] turrets;
+    private final Gripper[] grippers;
+    private Bumper[] bumpers = {};
     private final Map<SensorMount, Bumper> bumpersByMount = new HashMap<>();
     private double x;
     private double y;
@@ -35,7 +37,10 @@ public final class RobotBody implements Solid {
         this.model = entrant.model();
         this.assembly = new RobotAssembly(world, ground, this, entrant.start(), ideal, obstacles);
         this.body = assembly.body;
-        this.rotation = assembly.drivetrain.rotation();
+        this.drivetrain = assembly.drivetrain;
+        this.rotation = drivetrain.rotation();
+        this.turrets = assembly.turrets.toArray(Turntable[]::new);
+        this.grippers = assembly.grippers.toArray(Gripper[]::new);
         readPose();
     }
 
@@ -93,9 +98,10 @@ public final class RobotBody implements Solid {
         Bumper bumper = bumpersByMount.get(mount);
         if (bumper == null) {
             bumper = assembly.bumper(mount);
-            assembly.drivetrain.clearance().forget();
+            drivetrain.clearance().forget();
             bumpersByMount.put(mount, bumper);
-            bumpers.add(bumper);
+            bumpers = Arrays.copyOf(bumpers, bumpers.length + 1);
+            bumpers[bumpers.length - 1] = bumper;
         }
         return bumper;
     }
@@ -126,12 +132,12 @@ public final class RobotBody implements Solid {
 
     /** Clockwise angle of a turret against the robot, radians, by its place in the model's list. */
     public double turretAngleRadians(int turret) {
-        return assembly.turrets.get(turret).angleRadians(body);
+        return turrets[turret].angleRadians(body);
     }
 
     /** What a claw holds, by the claw's place in the model's list. */
     public Optional<ObstacleBody> held(int claw) {
-        return Optional.ofNullable(assembly.grippers.get(claw).held());
+        return Optional.ofNullable(grippers[claw].held());
     }
 
     /** Kinetic energy of the body without its motors, joules. */
@@ -143,23 +149,23 @@ public final class RobotBody implements Solid {
     }
 
     void prepare(double dt) {
-        assembly.drivetrain.prepare(dt);
+        drivetrain.prepare(dt);
     }
 
     void finish(double dt) {
-        assembly.drivetrain.finish();
-        for (int i = 0; i < assembly.turrets.size(); i++) {
-            assembly.turrets.get(i).finish();
+        drivetrain.finish();
+        for (Turntable turret : turrets) {
+            turret.finish();
         }
         double oldX = x;
         double oldY = y;
         readPose();
         distance += StrictMath.sqrt((x - oldX) * (x - oldX) + (y - oldY) * (y - oldY));
-        for (int i = 0; i < bumpers.size(); i++) {
-            bumpers.get(i).finish(dt);
+        for (Bumper bumper : bumpers) {
+            bumper.finish(dt);
         }
-        for (int i = 0; i < assembly.grippers.size(); i++) {
-            assembly.grippers.get(i).finish();
+        for (Gripper gripper : grippers) {
+            gripper.finish();
         }
     }
 
@@ -197,8 +203,8 @@ public final class RobotBody implements Solid {
         body.setTransform(new Vec2(Decimetres.of(pose.x()), Decimetres.of(pose.y())), angle);
         body.setLinearVelocity(new Vec2());
         body.setAngularVelocity(0);
-        assembly.drivetrain.clearance().forget();
-        for (Turntable turret : assembly.turrets) {
+        drivetrain.clearance().forget();
+        for (Turntable turret : turrets) {
             if (turret.body != null) {
                 Point2 pivot = turret.description.pivot();
                 Vec2 at = body.getWorldPoint(new Vec2(Decimetres.of(pivot.x()), Decimetres.of(pivot.y())));
@@ -211,7 +217,7 @@ public final class RobotBody implements Solid {
     }
 
     void release(ObstacleBody obstacle) {
-        for (Gripper gripper : assembly.grippers) {
+        for (Gripper gripper : grippers) {
             if (gripper.held() == obstacle) {
                 gripper.release();
             }
@@ -219,6 +225,8 @@ public final class RobotBody implements Solid {
     }
 
     private void releaseAll() {
-        assembly.grippers.forEach(Gripper::release);
+        for (Gripper gripper : grippers) {
+            gripper.release();
+        }
     }
 }

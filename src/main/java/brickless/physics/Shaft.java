@@ -21,6 +21,8 @@ public final class Shaft {
     private double friction = BARE_FRICTION;
     private double load;
     private boolean stops;
+    /** Whether it was found at rest, and nothing has happened to it since. */
+    private boolean resting;
     private double lowerStop = Double.NEGATIVE_INFINITY;
     private double upperStop = Double.POSITIVE_INFINITY;
 
@@ -68,18 +70,31 @@ public final class Shaft {
         driving = torqueNewtonMetres;
         damping = dampingNewtonMetreSeconds;
         friction = frictionNewtonMetres;
+        resting = false;
     }
 
     /** A constant outer torque on the shaft in newton metres, forward positive: what hangs on an arm, or a hand. */
     public void setLoadTorque(double newtonMetres) {
         load = newtonMetres;
+        resting = false;
     }
 
     /** Hard stops; infinite values remove them. */
     public void setStops(double lowerRadians, double upperRadians) {
         lowerStop = lowerRadians;
         upperStop = upperRadians;
+        resting = false;
         stops = lowerRadians > Double.NEGATIVE_INFINITY || upperRadians < Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether a step would leave it as it is, unless a tyre or a turret turns it. */
+    boolean rests() {
+        if (!resting && speed == 0 && driving + load == 0 && frictionImpulse == 0 && !stops) {
+            // not a negative zero, as after a step
+            speed = 0;
+            resting = true;
+        }
+        return resting;
     }
 
     /** Applies the motor's torque to the free shaft and the last step's friction as a first guess. */

@@ -14,7 +14,7 @@ final class TurretGear {
 
     private final Body robot;
     private final Body turret;
-    private final Shaft shaft;
+    final Shaft shaft;
     private final double ratio;
     private final double play;
     private double mass;

@@ -48,6 +48,11 @@ final class BehaviourChanges {
         endMatters = current != NONE;
     }
 
+    /** Whether time alone can change what is written. */
+    boolean unsettled() {
+        return current == NONE && written != NONE;
+    }
+
     /** To be called as time passes. */
     void step(long nowNanos) {
         if (current == NONE && nowNanos - since >= SETTLED_NANOS) {

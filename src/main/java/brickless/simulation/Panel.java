@@ -28,6 +28,7 @@ final class Panel implements PanelListener {
     private final ScreenPanel screen;
     private final KeyChords chords;
     private final Optional<ButtonPolicy> policy;
+    private long nextNanos;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
     Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, BooleanSupplier pressesToCome, Runnable endProgram) {
@@ -62,12 +63,19 @@ final class Panel implements PanelListener {
         return policy.map(ButtonPolicy::presses).orElse(0);
     }
 
+    /** To be called at every physics step; most of the time nothing is due. */
     void step(long nowNanos) {
+        if (nowNanos < nextNanos) {
+            return;
+        }
+        nextNanos = Long.MAX_VALUE;
         if (policy.isPresent()) {
             policy.get().step(nowNanos);
+            nextNanos = policy.get().nextLookNanos();
         }
         chords.step(nowNanos);
         screen.step(nowNanos);
+        nextNanos = Math.min(nextNanos, Math.min(chords.nextLookNanos(), screen.nextRefreshNanos()));
     }
 
     @Override public void keysChanged(long nowNanos, int keyMask, boolean down, KeyOrigin origin) {

@@ -18,7 +18,11 @@ import java.util.function.LongSupplier;
  * fibre only.
  */
 final class ProgramConsole implements ProgramLog {
-    private record Arbitration(List<String> names, BehaviourChanges wanted, BehaviourChanges active) {}
+    private record Arbitration(List<String> names, BehaviourChanges wanted, BehaviourChanges active) {
+        boolean unsettled() {
+            return wanted.unsettled() || active.unsettled();
+        }
+    }
 
     private final String robot;
     private final Recorder recorder;
@@ -28,6 +32,7 @@ final class ProgramConsole implements ProgramLog {
     private final ByteArrayOutputStream[] lines = {new ByteArrayOutputStream(), new ByteArrayOutputStream()};
     private final List<String> complete = new ArrayList<>();
     private final List<Arbitration> arbitrators = new ArrayList<>();
+    private boolean unsettled;
     private String failure;
 
     ProgramConsole(String robot, Recorder recorder, OutputStream echo, LongSupplier clock, IntConsumer exit) {
@@ -114,18 +119,25 @@ final class ProgramConsole implements ProgramLog {
     @Override
     public void behaviourWanted(int arbitrator, int behaviour) {
         arbitrators.get(arbitrator).wanted().set(clock.getAsLong(), behaviour);
+        unsettled |= arbitrators.get(arbitrator).unsettled();
     }
 
     @Override
     public void behaviourActive(int arbitrator, int behaviour) {
         arbitrators.get(arbitrator).active().set(clock.getAsLong(), behaviour);
+        unsettled |= arbitrators.get(arbitrator).unsettled();
     }
 
     /** To be called at every physics step. */
     void step(long nowNanos) {
+        if (!unsettled) {
+            return;
+        }
+        unsettled = false;
         for (int i = 0; i < arbitrators.size(); i++) {
             arbitrators.get(i).wanted().step(nowNanos);
             arbitrators.get(i).active().step(nowNanos);
+            unsettled |= arbitrators.get(i).unsettled();
         }
     }
 

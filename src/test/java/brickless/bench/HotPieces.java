@@ -73,7 +73,7 @@ public class HotPieces {
     /** A ping of the ultrasonic sensor: nine rays. */
     @Benchmark
     public int rayFan(Robot robot) {
-        robot.devices.sensor(3).afterStep(robot.now += 25_000_000);
+        robot.devices.afterStep(robot.now += 25_000_000);
         return robot.message[0];
     }
 

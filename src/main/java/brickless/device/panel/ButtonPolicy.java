@@ -15,6 +15,9 @@ public final class ButtonPolicy {
     /** Length of an automatic press in nanoseconds. */
     public static final long PRESS_NANOS = 200_000_000;
 
+    /** Looks so much earlier than it must: a live clock and the simulation's time are not quite the same. */
+    private static final long AHEAD_NANOS = 100_000_000;
+
     private static final int[] CYCLE = {2, 8, 16, 4, 1};
     private static final int NOTHING = 0;
 
@@ -23,6 +26,7 @@ public final class ButtonPolicy {
     private int presses;
     private int holding = NOTHING;
     private long releaseAtNanos;
+    private long nextLookNanos;
 
     /**
      * Watches a key pad.
@@ -36,6 +40,19 @@ public final class ButtonPolicy {
 
     /** Presses or releases a key if it is time to; called at each physics step with the present time. */
     public void step(long nowNanos) {
+        if (nowNanos < nextLookNanos) {
+            return;
+        }
+        look(nowNanos);
+        nextLookNanos = holding == NOTHING ? keys.waitingEarliest(nowNanos) + PATIENCE_NANOS - AHEAD_NANOS : releaseAtNanos;
+    }
+
+    /** Until this time nothing happens, and {@link #step} need not be called. */
+    public long nextLookNanos() {
+        return nextLookNanos;
+    }
+
+    private void look(long nowNanos) {
         if (holding != NOTHING) {
             if (nowNanos >= releaseAtNanos) {
                 keys.hold(holding, false, KeyOrigin.POLICY);

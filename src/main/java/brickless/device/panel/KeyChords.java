@@ -28,6 +28,11 @@ public final class KeyChords {
         this.endProgram = endProgram;
     }
 
+    /** Until this time {@link #step} does nothing. */
+    public long nextLookNanos() {
+        return nextLookNanos;
+    }
+
     /** Looks at the keys if it is time to; called at each physics step with the present time. */
     public void step(long nowNanos) {
         if (nowNanos < nextLookNanos) {

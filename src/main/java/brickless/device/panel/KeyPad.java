@@ -90,6 +90,11 @@ public final class KeyPad implements KeySocket {
         return programWait.since();
     }
 
+    /** {@link #waitingSince} will never tell an earlier time than this, whatever the program does from now on. */
+    long waitingEarliest(long nowNanos) {
+        return programWait.earliest(nowNanos);
+    }
+
     void hold(int keyMask, boolean down, KeyOrigin origin) {
         int before = state();
         synchronized (this) {

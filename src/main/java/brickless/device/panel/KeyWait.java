@@ -32,6 +32,11 @@ final class KeyWait {
         endedNanos = nowNanos;
     }
 
+    /** No wait that goes on now or is yet to begin can have begun earlier than this. */
+    synchronized long earliest(long nowNanos) {
+        return waiters > 0 || nowNanos - endedNanos <= BRIDGED_PAUSE_NANOS ? sinceNanos : nowNanos;
+    }
+
     synchronized OptionalLong since() {
         return waiters == 0 ? OptionalLong.empty() : OptionalLong.of(sinceNanos);
     }

@@ -61,6 +61,11 @@ public final class ScreenPanel implements ScreenSocket {
         return shown.clone();
     }
 
+    /** Until this time {@link #step} does nothing. */
+    public long nextRefreshNanos() {
+        return nextRefreshNanos;
+    }
+
     /** Copies the layers to the screen when the period is over; called at each physics step with the present time. */
     public void step(long nowNanos) {
         if (nowNanos < nextRefreshNanos) {

@@ -6,7 +6,7 @@ import brickless.units.Angles;
  * EV3 gyro, label up: clockwise positive, as the device sends it. Any change of mode starts the angle at 0 and
  * calibrates the rate.
  */
-final class GyroSensor extends UartSensor {
+final class GyroSensor extends UartSensor implements SelfActing {
     private static final int DEVICE = 32;
     /** Period of measurements, nanoseconds. */
     private static final long PERIOD_NANOS = 1_000_000;
@@ -45,7 +45,7 @@ final class GyroSensor extends UartSensor {
         bias = rate + RESIDUAL_RATE * site().noise().even(nowNanos / PERIOD_NANOS, 8);
     }
 
-    @Override void afterStep(long nowNanos) {
+    @Override public void afterStep(long nowNanos) {
         double heading = aim().headingRadians;
         double seconds = site().surroundings().arena().stepNanos() / NANOS_PER_SECOND;
         double turned = Angles.degreesFromRadians(heading - lastHeading);

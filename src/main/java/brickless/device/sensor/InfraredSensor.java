@@ -2,6 +2,7 @@ package brickless.device.sensor;
 
 import brickless.physics.Aim;
 import brickless.physics.ObstacleBody;
+import brickless.physics.RayFan;
 import brickless.physics.RayHit;
 import brickless.units.Angles;
 import brickless.world.Beacon;
@@ -12,7 +13,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** EV3 infrared sensor: proximity, beacons and remote. */
-final class InfraredSensor extends UartSensor implements RayFan.Visitor {
+final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfActing {
     private static final int DEVICE = 33;
     /** Time between measurements, nanoseconds: assumption within 50 to 60 ms. */
     static final long PERIOD_NANOS = 50_000_000;
@@ -55,7 +56,7 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor {
         }
     }
 
-    @Override void afterStep(long nowNanos) {
+    @Override public void afterStep(long nowNanos) {
         long update = nowNanos / PERIOD_NANOS;
         if (mode() != DARK && (update != lastUpdate || site().ideal())) {
             measure(update);
@@ -73,7 +74,7 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor {
 
     private int proximity(long update) {
         nearest = Double.POSITIVE_INFINITY;
-        fan.cast(site(), this);
+        site().cast(fan, this);
         if (nearest > PROXIMITY_REACH) {
             return 100;
         }
@@ -122,7 +123,7 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor {
 
     @Override Optional<SensorBeam> beam() {
         return switch (mode()) {
-            case PROXIMITY -> Optional.of(fan.seen(site(),
+            case PROXIMITY -> Optional.of(SensorBeam.of(aim(), fan.turnsRadians(), fan.lengthsMetres(),
                     proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
             case SEEK -> Optional.of(towardsBeacons());
             default -> Optional.empty();

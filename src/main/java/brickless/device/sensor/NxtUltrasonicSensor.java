@@ -3,7 +3,7 @@ package brickless.device.sensor;
 import java.util.Optional;
 
 /** NXT ultrasonic sensor on the I²C bus: distance in whole centimetres in its registers. */
-final class NxtUltrasonicSensor extends RegisterSensor {
+final class NxtUltrasonicSensor extends RegisterSensor implements SelfActing {
     private static final int ADDRESS = 0x02;
     private static final int INTERVAL = 0x40;
     private static final int COMMAND = 0x41;
@@ -36,7 +36,7 @@ final class NxtUltrasonicSensor extends RegisterSensor {
         }
     }
 
-    @Override void afterStep(long nowNanos) {
+    @Override public void afterStep(long nowNanos) {
         long ping = nowNanos / PING_NANOS;
         if (register(COMMAND) == CONTINUOUS && (ping != lastPing || site().ideal())) {
             ping(ping);

@@ -71,11 +71,6 @@ abstract class SensorModel {
         return "";
     }
 
-    /** Follows the arena; called after every step. */
-    void afterStep(long nowNanos) {
-        // Most devices look only when asked.
-    }
-
     /** Back to the state after power-on. */
     void powerOff() {
         // Most devices have no state.

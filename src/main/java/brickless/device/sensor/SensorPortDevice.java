@@ -23,6 +23,7 @@ public final class SensorPortDevice implements SensorSocket {
     private final RobotBody robot;
     private final Surroundings surroundings;
     private final RemoteControl remote;
+    private final SelfActingSensors selfActing;
     private final Processor processor;
     private final Processor.Signal pause;
     private final SensorFitting fitting;
@@ -38,16 +39,17 @@ public final class SensorPortDevice implements SensorSocket {
      * @param robot that carries the sensors
      * @param surroundings what they perceive
      * @param remote what infrared sensors hear of the remote
+     * @param selfActing told about sensors that follow the arena
      * @param processor charged for calls
      * @param fitting told about expected sensors
      */
     public SensorPortDevice(int port, RobotBody robot, Surroundings surroundings, RemoteControl remote,
-            Processor processor,
-            SensorFitting fitting) {
+            SelfActingSensors selfActing, Processor processor, SensorFitting fitting) {
         this.port = port;
         this.robot = robot;
         this.surroundings = surroundings;
         this.remote = remote;
+        this.selfActing = selfActing;
         this.processor = processor;
         this.pause = processor.newSignal();
         this.fitting = fitting;
@@ -71,7 +73,9 @@ public final class SensorPortDevice implements SensorSocket {
             if (sensor != null) {
                 sensor.powerOff();
             }
+            SensorModel old = sensor;
             sensor = mount == null ? null : device.apply(new SensorSite(robot, mount, surroundings, remote));
+            selfActing.replace(old, sensor);
         }
     }
 
@@ -91,13 +95,6 @@ public final class SensorPortDevice implements SensorSocket {
             if (sensor != null) {
                 sensor.site().setPushed(pushed);
             }
-        }
-    }
-
-    /** Follows the arena; called after every step, the caller holds the arena's monitor. */
-    public void afterStep(long nowNanos) {
-        if (sensor != null) {
-            sensor.afterStep(nowNanos);
         }
     }
 

@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.physics.Aim;
+import brickless.physics.RayFan;
 import brickless.physics.RobotBody;
 import brickless.world.RobotModel.SensorMount;
 
@@ -56,6 +57,11 @@ final class SensorSite {
     Aim aim() {
         robot.aim(mount, aim);
         return aim;
+    }
+
+    /** Casts rays from here; the robot itself and what is low are not met. */
+    void cast(RayFan fan, RayFan.Visitor visitor) {
+        fan.cast(surroundings.arena(), aim(), leastHeightMetres(), robot, visitor);
     }
 
     double leastHeightMetres() {

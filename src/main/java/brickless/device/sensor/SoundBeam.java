@@ -1,6 +1,7 @@
 package brickless.device.sensor;
 
 import brickless.physics.ObstacleBody;
+import brickless.physics.RayFan;
 import brickless.physics.RayHit;
 import brickless.units.Angles;
 
@@ -21,7 +22,7 @@ final class SoundBeam implements RayFan.Visitor {
     /** Distance of the nearest echo in metres, infinite if none comes back. */
     double distance(SensorSite site) {
         nearest = Double.POSITIVE_INFINITY;
-        fan.cast(site, this);
+        site.cast(fan, this);
         return nearest;
     }
 
@@ -33,7 +34,7 @@ final class SoundBeam implements RayFan.Visitor {
 
     /** The rays of the last measurement. */
     SensorBeam seen(SensorSite site, double metres) {
-        return fan.seen(site, metres);
+        return SensorBeam.of(site.aim(), fan.turnsRadians(), fan.lengthsMetres(), metres);
     }
 
     /** Walls throw sound back like mirrors; robots are so rugged that some always comes back (assumption). */

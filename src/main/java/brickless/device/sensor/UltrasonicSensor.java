@@ -6,7 +6,7 @@ import brickless.units.Angles;
 import java.util.Optional;
 
 /** EV3 ultrasonic sensor: distance in millimetres, a new one with every ping, each known one ping later. */
-final class UltrasonicSensor extends UartSensor implements SoundField.Source {
+final class UltrasonicSensor extends UartSensor implements SoundField.Source, SelfActing {
     private static final int DEVICE = 30;
     /** Time between pings, nanoseconds: assumption within 25 to 50 ms. */
     static final long PING_NANOS = 25_000_000;
@@ -26,6 +26,7 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
     private static final double HEARD_WITHIN = Angles.radiansFromDegrees(45);
 
     private final SoundBeam beam = new SoundBeam();
+    private final boolean ideal;
     private int onItsWay = NOTHING_MM;
     private int latest = NOTHING_MM;
     private long lastPing = Long.MIN_VALUE;
@@ -35,6 +36,7 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
                 UartMode.slow("US-LISTEN", 1, 1),
                 UartMode.slow("US-SI-CM", 1, 2), UartMode.slow("US-SI-IN", 1, 2), UartMode.slow("US-DC-CM", 1, 2),
                         UartMode.slow("US-DC-IN", 1, 2));
+        ideal = site.ideal();
     }
 
     private SoundField sound() {
@@ -57,14 +59,14 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source {
         }
     }
 
-    @Override void afterStep(long nowNanos) {
+    @Override public void afterStep(long nowNanos) {
         long ping = nowNanos / PING_NANOS;
-        if (!pinging() || ping == lastPing && !site().ideal()) {
+        if (!pinging() || ping == lastPing && !ideal) {
             return;
         }
         int echo = onItsWay;
         ping(ping);
-        latest = site().ideal() ? onItsWay : echo;
+        latest = ideal ? onItsWay : echo;
     }
 
     private void ping(long number) {
