@@ -183,8 +183,8 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     @Override
-    public void nativeInitialiser(boolean begins) {
-        scheduler.nativeInitialiser(begins);
+    public void undivided(boolean begins) {
+        scheduler.undivided(begins);
     }
 
     @Override

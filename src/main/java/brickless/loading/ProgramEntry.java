@@ -29,8 +29,11 @@ final class ProgramEntry {
 
     /** Initialises the class on the calling fibre and calls its main method. */
     static void callMain(ClassLoader robot, String mainClass, String[] arguments) {
-        Class<?> type = (Class<?>) call(hook(robot, "ReflectionHooks", "forName", String.class), mainClass);
-        call(mainMethod(type), arguments);
+        call(mainMethod(initialized(robot, mainClass)), arguments);
+    }
+
+    static Class<?> initialized(ClassLoader robot, String name) {
+        return (Class<?>) call(hook(robot, "ReflectionHooks", "forName", String.class), name);
     }
 
     private static Method mainMethod(Class<?> type) {

@@ -102,6 +102,13 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return ProgramEntry.newThread(this, body, name);
     }
 
+    /**
+     * A class of the robot, initialised as the program would. Call on a thread of the program.
+     */
+    public Class<?> initialized(String name) {
+        return ProgramEntry.initialized(this, name);
+    }
+
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
         synchronized (getClassLoadingLock(name)) {
@@ -126,25 +133,32 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        ClassFile file = locate(name);
-        if (file == null) {
+        ClassFile file = locate(InterfaceStatics.interfaceOf(name));
+        byte[] bytes = file == null ? null : bytesOf(name, file);
+        if (bytes == null) {
             throw new ClassNotFoundException(name);
         }
-        byte[] bytes = rules.of(name) == Treatment.PER_ROBOT_PLAIN ? file.bytes()
-                : rewritten(name.replace('.', '/'), file);
         return defineClass(name, bytes, 0, bytes.length);
     }
 
-    private synchronized byte[] rewritten(String internalName, ClassFile file) {
+    private byte[] bytesOf(String name, ClassFile file) {
+        if (rules.of(name) == Treatment.PER_ROBOT_PLAIN) {
+            return file.bytes();
+        }
+        RewrittenClass rewritten = rewritten(InterfaceStatics.interfaceOf(name).replace('.', '/'), file);
+        return InterfaceStatics.isName(name) ? rewritten.statics() : rewritten.bytes();
+    }
+
+    private synchronized RewrittenClass rewritten(String internalName, ClassFile file) {
         String key = RewrittenClassCache.key(file.bytes());
-        byte[] known = RewrittenClassCache.shared().find(key, catalog::summary);
+        RewrittenClass known = RewrittenClassCache.shared().find(key, catalog::summary);
         if (known != null) {
             return known;
         }
         catalog.takeConsulted();
-        byte[] bytes = rewriter.rewrite(file, internalName);
-        RewrittenClassCache.shared().store(key, bytes, catalog.takeConsulted());
-        return bytes;
+        RewrittenClass rewritten = rewriter.rewrite(file, internalName);
+        RewrittenClassCache.shared().store(key, rewritten, catalog.takeConsulted());
+        return rewritten;
     }
 
     private ClassFile locate(String name) {

@@ -38,7 +38,7 @@ final class RobotRealm {
 
     private void run(ProgramBody body) {
         try {
-            Class<?> launcher = Class.forName(LAUNCHER, true, loader);
+            Class<?> launcher = loader.initialized(LAUNCHER);
             MethodHandles.publicLookup().findStatic(launcher, "prepare", MethodType.methodType(void.class)).invoke();
             body.run(loader);
         } catch (Throwable thrown) {

@@ -117,16 +117,6 @@ public final class Hooks {
         }
     }
 
-    /** A static initialiser that stayed the JVM's begins. */
-    public static void initialiserBegins() {
-        machine.nativeInitialiser(true);
-    }
-
-    /** It ends. */
-    public static void initialiserEnds() {
-        machine.nativeInitialiser(false);
-    }
-
     /** The kernel's access to {@link #left} and {@link #depth}. */
     private static final class StaticBudget implements Budget {
         @Override
