@@ -56,6 +56,7 @@ public final class Ensemble {
         }
         Watchdog watchdog = Watchdog.watch(heartbeat, settings.watchdogNanos(), this::hostThread, this::abandonRunaway);
         try {
+            kernels.get(0).takeTurn();
             backend.start(kernels.get(0).resumePoint(), this::failed);
             awaitEnd();
             return results();
@@ -82,6 +83,7 @@ public final class Ensemble {
         }
         if (next != index) {
             running = next;
+            kernels.get(next).takeTurn();
             backend.switchTo(kernels.get(index).resumePoint(), kernels.get(next).resumePoint());
         }
     }
@@ -100,6 +102,7 @@ public final class Ensemble {
             return null;
         }
         running = next;
+        kernels.get(next).takeTurn();
         return kernels.get(next).resumePoint();
     }
 

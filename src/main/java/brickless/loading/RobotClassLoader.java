@@ -23,6 +23,8 @@ import java.util.List;
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";
+    /** Exchanges its own statics. */
+    private static final String HOOKS = "brickless.kernel.hooks.Hooks";
 
     private final LoadingRules rules;
     private final ClassLoader application;
@@ -30,6 +32,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     private final ClassSource programClasses;
     private final ClassCatalog catalog;
     private final ClassRewriter rewriter;
+    /** Set before any class is defined; null unless several robots share the classes. */
+    private StaticExchange exchange;
 
     private RobotClassLoader(ClassLoader application, ClassSource programClasses, LoadingRules rules) {
         super(NAME, getPlatformClassLoader());
@@ -72,6 +76,18 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
      */
     public static RobotClassLoader ofApplication(ClassLoader application, LoadingRules rules) {
         return new RobotClassLoader(application, new LoaderClassSource(application), rules);
+    }
+
+    /** Prepares for several robots; to be called before any class is loaded. */
+    public RobotClassLoader forSeveralRobots() {
+        exchange = new StaticExchange();
+        ProgramEntry.listen(this, exchange::initialisationBegins);
+        return this;
+    }
+
+    /** A robot that runs these classes. Without {@link #forSeveralRobots} there must be one only. */
+    public RobotContext newRobot() {
+        return new RobotContext(this, exchange);
     }
 
     /**
@@ -138,7 +154,11 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         if (bytes == null) {
             throw new ClassNotFoundException(name);
         }
-        return defineClass(name, bytes, 0, bytes.length);
+        Class<?> type = defineClass(name, bytes, 0, bytes.length);
+        if (exchange != null && !name.equals(HOOKS)) {
+            exchange.defined(type, bytes);
+        }
+        return type;
     }
 
     private byte[] bytesOf(String name, ClassFile file) {
@@ -171,6 +191,12 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     private ClassFile rewritable(String internalName) {
         String name = internalName.replace('/', '.');
         return rules.of(name) == Treatment.PER_ROBOT_REWRITTEN ? locate(name) : null;
+    }
+
+    /** The file of a class of the program itself, not of leJOS or the simulator; null for any other class. */
+    ClassFile programClass(String internalName) {
+        boolean ours = internalName.startsWith("[") || rules.isOurs(internalName.replace('/', '.'));
+        return ours ? null : rewritable(internalName);
     }
 
     @Override

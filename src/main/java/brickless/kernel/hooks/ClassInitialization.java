@@ -4,8 +4,6 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.Field;
-import java.util.IdentityHashMap;
-import java.util.Map;
 
 /**
  * Class initialisation of rewritten classes (JLS 12.4.2). The loader renames each static initialiser and calls a
@@ -31,7 +29,6 @@ public final class ClassInitialization {
 
     private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
     private static final MethodType NO_ARGUMENTS = MethodType.methodType(void.class);
-    private static final Map<Class<?>, Progress> STARTED = new IdentityHashMap<>();
 
     private ClassInitialization() {}
 
@@ -55,6 +52,7 @@ public final class ClassInitialization {
             return false;
         }
         progress.begun = true;
+        Hooks.initialisationBegins(type);
         return true;
     }
 
@@ -112,7 +110,7 @@ public final class ClassInitialization {
     }
 
     private static synchronized Progress progressOf(Class<?> type) {
-        return STARTED.computeIfAbsent(type, Progress::new);
+        return Hooks.robot().initialisations.computeIfAbsent(type, Progress::new);
     }
 
     /** Costs a monitor's entry again, as the JVM takes the class's lock once more to say that it is done. */
@@ -154,7 +152,7 @@ public final class ClassInitialization {
      * How far the initialisation of one class is. If it may block, guarded by its own virtual monitor, which the
      * initialising thread holds; if not, by the processor, which that thread keeps.
      */
-    private static final class Progress implements NamedMonitor {
+    static final class Progress implements NamedMonitor {
         private final Class<?> type;
         private boolean mayBlock;
         private boolean begun;

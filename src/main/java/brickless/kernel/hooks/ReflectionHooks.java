@@ -1,5 +1,6 @@
 package brickless.kernel.hooks;
 
+import java.lang.invoke.MethodHandles;
 import java.lang.reflect.AccessibleObject;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
@@ -12,7 +13,14 @@ import java.lang.reflect.Modifier;
  * robot.
  */
 public final class ReflectionHooks {
+    private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
+
     private ReflectionHooks() {}
+
+    /** Full access to a class of the robot, for its loader. */
+    public static MethodHandles.Lookup insideOf(Class<?> type) throws IllegalAccessException {
+        return MethodHandles.privateLookupIn(type, LOOKUP);
+    }
 
     /** {@code Class.forName(name)}. */
     public static Class<?> forName(String name) throws ClassNotFoundException {
