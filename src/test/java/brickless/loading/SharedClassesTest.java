@@ -59,7 +59,7 @@ class SharedClassesTest {
         RobotClassLoader together = RobotClassLoader.ofApplication().forSeveralRobots();
         for (int i = 0; i < ROBOTS; i++) {
             robots.add((shared ? together : RobotClassLoader.ofApplication()).newRobot());
-            KernelSettings plain = KernelSettings.defaults().withLimitNanos(program.limitSeconds() * NANOS_PER_SECOND)
+            KernelSettings plain = KernelSettings.defaults().withStepNanos(10_000_000).withLimitNanos(program.limitSeconds() * NANOS_PER_SECOND)
                     .withBackend(backend).withSeed(i);
             settings.add(randomSchedules ? plain.withScheduleSeed(i) : plain);
         }

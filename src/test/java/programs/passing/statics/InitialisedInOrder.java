@@ -15,7 +15,7 @@ import java.util.function.Supplier;
  * @prints the one
  * @prints java.lang.ExceptionInInitializerError java.lang.ArithmeticException: / by zero
  * @prints Could not initialize class programs.passing.statics.InitialisedInOrder$Broken
- * @prints Could not initialize class programs.passing.statics.InitialisedInOrder$BelowBroken
+ * @prints Could not initialize class programs.passing.statics.InitialisedInOrder$Broken
  * @prints 4 6
  * @prints 8 from the parent
  */
