@@ -55,7 +55,9 @@ public final class Ensemble {
         kernels.forEach(kernel -> kernel.prepare(this::next, stepHandler != null, backend, heartbeat));
         Watchdog watchdog = Watchdog.watch(heartbeat, settings.watchdogNanos(), this::hostThread, this::abandonRunaway);
         try {
-            backend.start(kernels.get(0).proceed(), this::failed);
+            Fibre first = kernels.get(0).proceed();
+            kernels.get(0).takeTurn();
+            backend.start(first, this::failed);
             awaitEnd();
             return results();
         } finally {
@@ -69,13 +71,14 @@ public final class Ensemble {
      * need none of their stacks for that.
      */
     private Fibre next() {
-        while (true) {
-            Kernel kernel = following();
-            Fibre fibre = kernel == null ? null : kernel.proceed();
-            if (kernel == null || fibre != null) {
+        for (Kernel kernel = following(); kernel != null; kernel = following()) {
+            Fibre fibre = kernel.proceed();
+            if (fibre != null) {
+                kernel.takeTurn();
                 return fibre;
             }
         }
+        return null;
     }
 
     /** Whose share comes next; after the last one's the world steps. Null if all programs are over. */

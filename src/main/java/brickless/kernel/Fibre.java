@@ -31,8 +31,8 @@ final class Fibre {
     int yields;
     /** Call depth while another fibre runs. */
     int depth;
-    /** Static initialisers of the JVM's own that run on the fibre's stack: it keeps the processor until they end. */
-    int nativeInitialisers;
+    /** Static initialisers that only compute on the fibre's stack: it keeps the processor until they end. */
+    int undivided;
     /** How often the fibre blocked. */
     long blocks;
     /** The monitor waited for or in, while BLOCKED or WAITING. */

@@ -43,6 +43,7 @@ public final class Kernel implements VirtualMachine, Processor {
     private Thread mainThread;
     private Runnable mainBody;
     private ClassLoader contextLoader;
+    private Runnable beforeTurn = () -> { };
 
     /** A kernel for an {@link Ensemble}, which has the step handler, or for a run without physics. */
     public Kernel(KernelSettings settings) {
@@ -68,6 +69,14 @@ public final class Kernel implements VirtualMachine, Processor {
     /** Connects the counters that the program's rewritten code uses; before the run. */
     public void bind(Budget budget) {
         clock.bind(Objects.requireNonNull(budget, "budget"));
+    }
+
+    /**
+     * Sets what happens before the program's share runs, after that of another kernel of the same {@link Ensemble}:
+     * where programs share classes, what is static in them is exchanged. Before the run.
+     */
+    public void beforeTurn(Runnable action) {
+        beforeTurn = Objects.requireNonNull(action, "action");
     }
 
     /** Sets who hears what happens; before the run. */
@@ -182,8 +191,8 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     @Override
-    public void nativeInitialiser(boolean begins) {
-        scheduler.nativeInitialiser(begins);
+    public void undivided(boolean begins) {
+        scheduler.undivided(begins);
     }
 
     @Override
@@ -400,6 +409,11 @@ public final class Kernel implements VirtualMachine, Processor {
         return scheduler.current();
     }
 
+    /** The program's share is about to run. */
+    void takeTurn() {
+        beforeTurn.run();
+    }
+
     Ending ending() {
         return ending;
     }
@@ -417,6 +431,7 @@ public final class Kernel implements VirtualMachine, Processor {
         mainThread = null;
         mainBody = null;
         contextLoader = null;
+        beforeTurn = () -> { };
     }
 
     private void end(ProgramEnd.Kind kind) {

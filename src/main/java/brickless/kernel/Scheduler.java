@@ -108,12 +108,12 @@ final class Scheduler {
     }
 
     /** The running fibre keeps the processor from the first such begin to the last end, unless it blocks. */
-    void nativeInitialiser(boolean begins) {
+    void undivided(boolean begins) {
         if (current == null) {
             // Before the run, on the host.
             return;
         }
-        current.nativeInitialisers += begins ? 1 : -1;
+        current.undivided += begins ? 1 : -1;
         if (!keepsProcessor()) {
             clock.shorten(sliceEnd);
         }
@@ -339,6 +339,6 @@ final class Scheduler {
     }
 
     private boolean keepsProcessor() {
-        return ready.isEmpty() || current != null && current.nativeInitialisers > 0;
+        return ready.isEmpty() || current != null && current.undivided > 0;
     }
 }

@@ -1,5 +1,6 @@
 package brickless.loading;
 
+import brickless.kernel.hooks.ClassInitialization;
 import java.util.HashSet;
 import java.util.Set;
 import org.objectweb.asm.Opcodes;
@@ -20,9 +21,15 @@ import org.objectweb.asm.tree.VarInsnNode;
  * handlers.
  */
 final class CallDepth implements MethodPass {
+    private final ClassCatalog catalog;
+
+    CallDepth(ClassCatalog catalog) {
+        this.catalog = catalog;
+    }
+
     @Override
     public void rewrite(ClassNode type, MethodNode method) {
-        if (!callsOthers(method)) {
+        if (!callsOthers(method) || method.name.startsWith(MethodReferenceBridges.UNCOUNTED)) {
             return;
         }
         int depth = ExtraLocal.add(method, Opcodes.INTEGER);
@@ -43,7 +50,7 @@ final class CallDepth implements MethodPass {
         Code.insertAtStart(method, enter);
     }
 
-    private static boolean callsOthers(MethodNode method) {
+    private boolean callsOthers(MethodNode method) {
         for (AbstractInsnNode node : method.instructions) {
             if (node.getOpcode() == Opcodes.INVOKEDYNAMIC || node instanceof MethodInsnNode
                     && !isHarmless((MethodInsnNode) node)) {
@@ -53,8 +60,9 @@ final class CallDepth implements MethodPass {
         return false;
     }
 
-    private static boolean isHarmless(MethodInsnNode call) {
-        return call.owner.equals(Code.HOOKS) || call.owner.equals(Code.OBJECT) && "<init>".equals(call.name);
+    private boolean isHarmless(MethodInsnNode call) {
+        boolean triggers = call.name.equals(ClassInitialization.TRIGGER);
+        return call.owner.equals(Code.HOOKS) || triggers && !catalog.mayBlock(InterfaceStatics.interfaceOf(call.owner)) || call.owner.equals(Code.OBJECT) && "<init>".equals(call.name);
     }
 
     private static InsnList leave(int depth) {

@@ -1,7 +1,9 @@
 package brickless.loading;
 
 import brickless.loading.ClassSummary.Initialisation;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
@@ -114,48 +116,57 @@ final class ClassCatalog {
         return false;
     }
 
-    /** Whether uses of the class must trigger its initialisation on a fibre. */
-    boolean initialisesOnFibre(String name) {
+    /** Whether uses of the class or interface must trigger an initialisation first: its own or that of parents. */
+    boolean initialises(String name) {
         ClassSummary summary = summary(name);
-        if (summary == null || summary.isInterface()) {
-            return false;
-        }
-        return summary.initialisation() == Initialisation.MAY_BLOCK || isGuarded(name)
-                || initialisesOnFibre(summary.superName());
+        return summary != null && (summary.initialisation() != Initialisation.NONE || !parentsToInitialise(name).isEmpty());
     }
 
     /**
-     * Whether uses of a class or interface must ask for its initialisation before they touch it: it is an interface
-     * whose initialiser may block, which must stay the JVM's, or a class with which the JVM initialises such a one.
+     * What is initialised before a class itself: its superclass, and interfaces with default methods. An interface's
+     * parents are not.
      */
-    boolean isGuarded(String name) {
+    List<String> parentsToInitialise(String name) {
         ClassSummary summary = summary(name);
-        if (summary == null) {
-            return false;
+        List<String> parents = new ArrayList<>();
+        if (summary != null && !summary.isInterface()) {
+            if (initialises(summary.superName())) {
+                parents.add(summary.superName());
+            }
+            addInterfaces(summary, parents);
         }
-        if (summary.isInterface()) {
-            return summary.initialisation() == Initialisation.MAY_BLOCK;
-        }
-        return isGuarded(summary.superName()) || implementsGuarded(summary);
+        return parents;
     }
 
-    private boolean implementsGuarded(ClassSummary type) {
+    private void addInterfaces(ClassSummary type, List<String> parents) {
         for (String parent : type.interfaces()) {
             ClassSummary summary = summary(parent);
-            if (summary != null
-                    && (summary.hasDefaultMethods() && isGuarded(parent) || implementsGuarded(summary))) {
-                return true;
+            if (summary != null) {
+                addInterfaces(summary, parents);
+                if (summary.hasDefaultMethods() && initialises(parent) && !parents.contains(parent)) {
+                    parents.add(parent);
+                }
             }
         }
-        return false;
     }
 
-    /**
-     * Whether the class's own static initialiser is run on a fibre: it may block, or must wait for a superclass that
-     * may.
-     */
-    boolean ownInitialiserOnFibre(String name) {
-        return initialisesOnFibre(name) && summary(name).initialisation() != Initialisation.NONE;
+    /** Whether the initialisation of a class or interface may block, by its own initialiser or those of parents. */
+    boolean mayBlock(String name) {
+        ClassSummary summary = summary(name);
+        return summary != null && (summary.initialisation() == Initialisation.MAY_BLOCK
+                || parentsToInitialise(name).stream().anyMatch(this::mayBlock));
+    }
+
+    /** Whether it is an interface with a static field of that name that an initialiser sets. */
+    boolean isComputedInInterface(String name, String field) {
+        ClassSummary summary = summary(name);
+        return summary != null && summary.isInterface() && summary.computedFields().contains(field);
+    }
+
+    /** Whether it is an interface. */
+    boolean isInterface(String name) {
+        ClassSummary summary = summary(name);
+        return summary != null && summary.isInterface();
     }
 
     /** Whether it is an enum type (not the class of a constant with a body). */

@@ -1,33 +1,25 @@
 package brickless.loading;
 
 import brickless.kernel.hooks.ClassInitialization;
+import java.util.ArrayList;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.FieldInsnNode;
 import org.objectweb.asm.tree.FieldNode;
-import org.objectweb.asm.tree.FrameNode;
 import org.objectweb.asm.tree.InsnList;
-import org.objectweb.asm.tree.InsnNode;
-import org.objectweb.asm.tree.JumpInsnNode;
-import org.objectweb.asm.tree.LabelNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.TypeInsnNode;
 
 /**
- * Class initialisation in virtual time: a static initialiser that may block is renamed, and every use of the class in
- * another class calls its trigger first. The JVM's own initialisation would make a second thread that comes along wait
- * on the host.
- *
- * <p>Only an interface's initialiser has to stay: its fields are final. Uses of it, and of classes with which the JVM
- * would initialise it, ask {@link ClassInitialization} first, so that no second thread comes along.
+ * Class initialisation by the program's own code: every static initialiser is renamed, and every use of the class in
+ * another class calls its trigger first. The JVM would run an initialiser once, but robots that share the class need
+ * it once each; and it would make a second thread that comes along wait on the host.
  */
 final class ClassInitialisers implements ClassPass, MethodPass {
-    private static final String DONE = "$initialized";
-    private static final int GUARD_ACCESS =
-            Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_FINAL | Opcodes.ACC_SYNTHETIC;
-    private static final String HOOKS = "brickless/kernel/hooks/ClassInitialization";
+    private static final int HIDDEN_STATIC = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC;
+    private static final String NOTHING = "()V";
 
     private final ClassCatalog catalog;
     private final ConstructedReplacements replaced;
@@ -37,24 +29,20 @@ final class ClassInitialisers implements ClassPass, MethodPass {
         this.replaced = replaced;
     }
 
-    /** Renames the class's own initialiser. */
+    /** Renames the class's own initialiser, and lets it set final fields. */
     @Override
     public void rewrite(ClassNode type) {
-        if (catalog.isGuarded(type.name)) {
-            type.fields.add(new FieldNode(GUARD_ACCESS, ClassInitialization.GUARDED, "I", null, 1));
-        }
-        if (!catalog.ownInitialiserOnFibre(type.name)) {
-            return;
-        }
         for (MethodNode method : type.methods) {
             if ("<clinit>".equals(method.name)) {
                 method.name = ClassInitialization.INITIALISER;
-                method.access = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC;
+                method.access = HIDDEN_STATIC;
             }
         }
-        for (FieldNode field : type.fields) {
-            if ((field.access & Opcodes.ACC_STATIC) != 0 && field.value == null) {
-                field.access &= ~Opcodes.ACC_FINAL;
+        if ((type.access & Opcodes.ACC_INTERFACE) == 0) {
+            for (FieldNode field : type.fields) {
+                if ((field.access & Opcodes.ACC_STATIC) != 0 && field.value == null) {
+                    field.access &= ~Opcodes.ACC_FINAL;
+                }
             }
         }
     }
@@ -64,30 +52,24 @@ final class ClassInitialisers implements ClassPass, MethodPass {
     public void rewrite(ClassNode type, MethodNode method) {
         for (AbstractInsnNode node : method.instructions.toArray()) {
             String used = usedClass(type, node);
-            if (used == null || used.equals(type.name) || catalog.isSuperclass(used, type.name)) {
+            if (used == null) {
                 continue;
             }
-            if (catalog.isGuarded(used)) {
-                // Between a NEW and the label before it, which frames refer to, nothing may come.
-                method.instructions.insertBefore(node.getOpcode() == Opcodes.NEW ? node.getPrevious() : node,
-                        guard(type, used));
-            } else if (catalog.initialisesOnFibre(used)) {
+            if (node instanceof FieldInsnNode && catalog.isComputedInInterface(used, ((FieldInsnNode) node).name)) {
+                ((FieldInsnNode) node).owner = InterfaceStatics.nameFor(used);
+            }
+            if (!used.equals(type.name) && !catalog.isSuperclass(used, type.name) && catalog.initialises(used)) {
+                // Nothing may come between a NEW and its label, which frames refer to.
                 AbstractInsnNode place = node.getOpcode() == Opcodes.NEW ? node.getNext() : node;
-                method.instructions.insertBefore(place, Code.call(used, ClassInitialization.TRIGGER, "()V"));
+                method.instructions.insertBefore(place, trigger(used));
             }
         }
-        if (method.name.equals("values") && catalog.isEnum(type.name) && catalog.initialisesOnFibre(type.name)) {
+        if (method.name.equals("values") && catalog.isEnum(type.name) && catalog.initialises(type.name)) {
             // The JDK calls it by reflection, for EnumSet and the like.
-            InsnList trigger = new InsnList();
-            trigger.add(Code.call(type.name, ClassInitialization.TRIGGER, "()V"));
-            Code.insertAtStart(method, trigger);
+            InsnList code = new InsnList();
+            code.add(trigger(type.name));
+            Code.insertAtStart(method, code);
         }
-    }
-
-    private static InsnList guard(ClassNode type, String used) {
-        InsnList code = Code.classConstant(type, used);
-        code.add(Code.call(HOOKS, "initializeGuarded", "(Ljava/lang/Class;)V"));
-        return code;
     }
 
     private String usedClass(ClassNode type, AbstractInsnNode node) {
@@ -107,29 +89,22 @@ final class ClassInitialisers implements ClassPass, MethodPass {
         }
     }
 
-    /** The trigger of a class: unless done, {@code done = ClassInitialization.initialize(type, own)}. */
-    void addTrigger(ClassNode type) {
-        if (!catalog.initialisesOnFibre(type.name)) {
-            return;
+    private MethodInsnNode trigger(String used) {
+        return Code.call(catalog.isInterface(used) ? InterfaceStatics.nameFor(used) : used,
+                ClassInitialization.TRIGGER, NOTHING);
+    }
+
+    /** Adds the trigger of a class, or of an interface to the class that holds its statics. */
+    void addTrigger(String initialised, ClassNode holder) {
+        if (catalog.initialises(initialised)) {
+            ArrayList<MethodInsnNode> steps = new ArrayList<>();
+            for (String parent : catalog.parentsToInitialise(initialised)) {
+                steps.add(trigger(parent));
+            }
+            if (catalog.summary(initialised).initialisation() != ClassSummary.Initialisation.NONE) {
+                steps.add(Code.call(holder.name, ClassInitialization.INITIALISER, NOTHING));
+            }
+            InitialisationTrigger.add(holder, steps, catalog.mayBlock(initialised));
         }
-        type.fields.add(new FieldNode(Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC, DONE, "Z",
-                null, null));
-        MethodNode trigger = new MethodNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC,
-                ClassInitialization.TRIGGER,
-                "()V", null, null);
-        LabelNode end = new LabelNode();
-        InsnList code = trigger.instructions;
-        code.add(new FieldInsnNode(Opcodes.GETSTATIC, type.name, DONE, "Z"));
-        code.add(new JumpInsnNode(Opcodes.IFNE, end));
-        code.add(Code.classConstant(type, type.name));
-        code.add(new InsnNode(catalog.ownInitialiserOnFibre(type.name) ? Opcodes.ICONST_1 : Opcodes.ICONST_0));
-        code.add(Code.call(HOOKS, "initialize", "(Ljava/lang/Class;Z)Z"));
-        code.add(new FieldInsnNode(Opcodes.PUTSTATIC, type.name, DONE, "Z"));
-        code.add(end);
-        if (Code.hasFrames(type)) {
-            code.add(new FrameNode(Opcodes.F_NEW, 0, new Object[0], 0, new Object[0]));
-        }
-        code.add(new InsnNode(Opcodes.RETURN));
-        type.methods.add(trigger);
     }
 }

@@ -32,7 +32,7 @@ final class ClassRewriter {
         methodPasses = List.of(new NewLabels(), initialisers, redirects, constructed,
                 new StandardStreams(), new StringConcatenation(), new CollectionFactories(),
                 new MonitorCalls(), new ArrayAllocation(), new BackEdgeCharges(), new KillThroughHandlers(),
-                new CallDepth(), new NativeInitialisers(catalog), new SynchronizedMethods());
+                new CallDepth(catalog), new SynchronizedMethods());
     }
 
     /**
@@ -40,7 +40,7 @@ final class ClassRewriter {
      *
      * @throws UnloadableClassError if the class file is damaged, too new, or too large after rewriting
      */
-    byte[] rewrite(ClassFile file, String name) {
+    RewrittenClass rewrite(ClassFile file, String name) {
         ClassReader reader = ClassFiles.reader(file, name);
         ClassNode type = new ClassNode();
         try {
@@ -49,21 +49,26 @@ final class ClassRewriter {
         } catch (IllegalArgumentException | IndexOutOfBoundsException damaged) {
             throw ClassFiles.damaged(file, name, damaged);
         }
-        transform(type, file);
+        if ((type.access & Opcodes.ACC_MODULE) == 0) {
+            transform(type, file);
+        }
+        ClassNode statics = InterfaceStatics.takeOutOf(type);
+        initialisers.addTrigger(type.name, statics == null ? type : statics);
+        return new RewrittenClass(bytes(type, file), statics == null ? null : bytes(statics, file));
+    }
+
+    private static byte[] bytes(ClassNode type, ClassFile file) {
         ClassWriter writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
         try {
             type.accept(writer);
             return writer.toByteArray();
         } catch (MethodTooLargeException | ClassTooLargeException tooLarge) {
-            throw new UnloadableClassError(name, file.origin(), "too large to be rewritten: " + tooLarge.getMessage(),
+            throw new UnloadableClassError(type.name, file.origin(), "too large to be rewritten: " + tooLarge.getMessage(),
                     tooLarge);
         }
     }
 
     private void transform(ClassNode type, ClassFile file) {
-        if ((type.access & Opcodes.ACC_MODULE) != 0) {
-            return;
-        }
         NativeMethods.replace(type, file.origin());
         for (ClassPass pass : classPasses) {
             pass.rewrite(type);
@@ -76,6 +81,5 @@ final class ClassRewriter {
             }
         }
         identityHashes.rewrite(type);
-        initialisers.addTrigger(type);
     }
 }

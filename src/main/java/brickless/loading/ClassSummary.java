@@ -13,10 +13,12 @@ import java.util.Set;
  * @param hasDefaultMethods whether it is an interface that is initialised with the classes that implement it
  * @param methods name and descriptor of each declared method
  * @param staticFields names of the declared static fields
+ * @param computedFields names of those that have no constant value
  * @param initialisation what its static initialiser does
  */
 record ClassSummary(String superName, List<String> interfaces, boolean isInterface, boolean hasDefaultMethods,
-        Set<String> methods, Set<String> staticFields, Initialisation initialisation) {
+        Set<String> methods, Set<String> staticFields, Set<String> computedFields,
+        Initialisation initialisation) {
     /** What the static initialiser does. */
     enum Initialisation { NONE, HARMLESS, MAY_BLOCK }
 }

@@ -18,6 +18,7 @@ final class ClassSummaryReader extends ClassVisitor {
     private final InitialiserReader initialiser;
     private final Set<String> methods = new HashSet<>();
     private final Set<String> staticFields = new HashSet<>();
+    private final Set<String> computedFields = new HashSet<>();
     private String superName;
     private List<String> interfaces = List.of();
     private boolean isInterface;
@@ -50,7 +51,7 @@ final class ClassSummaryReader extends ClassVisitor {
         Initialisation initialisation = methods.contains(InitialiserReader.INITIALISER)
                 ? initialiser.initialisation() : Initialisation.NONE;
         return new ClassSummary(superName, interfaces, isInterface, hasDefaultMethods, Set.copyOf(methods),
-                Set.copyOf(staticFields), initialisation);
+                Set.copyOf(staticFields), Set.copyOf(computedFields), initialisation);
     }
 
     @Override
@@ -66,6 +67,9 @@ final class ClassSummaryReader extends ClassVisitor {
     public FieldVisitor visitField(int access, String name, String descriptor, String signature, Object value) {
         if ((access & Opcodes.ACC_STATIC) != 0) {
             staticFields.add(name);
+            if (value == null) {
+                computedFields.add(name);
+            }
         }
         return null;
     }

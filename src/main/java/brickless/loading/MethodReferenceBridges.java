@@ -20,6 +20,9 @@ import org.objectweb.asm.tree.VarInsnNode;
  */
 final class MethodReferenceBridges implements ClassPass {
     private static final String LAMBDA_FACTORY = "java/lang/invoke/LambdaMetafactory";
+    private static final String NAME = "brickless$bridge";
+    /** Of bridges that only trigger an initialisation which costs nothing itself: calls of theirs are not counted. */
+    static final String UNCOUNTED = "brickless$uncounted";
     private static final int IMPLEMENTATION_ARGUMENT = 1;
 
     private final JdkCallRedirects redirects;
@@ -41,8 +44,10 @@ final class MethodReferenceBridges implements ClassPass {
                         && ((InvokeDynamicInsnNode) node).bsm.getOwner().equals(LAMBDA_FACTORY)) {
                     InvokeDynamicInsnNode reference = (InvokeDynamicInsnNode) node;
                     Handle target = (Handle) reference.bsmArgs[IMPLEMENTATION_ARGUMENT];
-                    if (needsBridge(type, target)) {
-                        MethodNode bridge = bridge(target, reference.desc, "brickless$bridge" + bridges.size());
+                    boolean counts = isRedirected(target) || initialises(type, target)
+                            && catalog.mayBlock(target.getOwner());
+                    if (counts || initialises(type, target)) {
+                        MethodNode bridge = bridge(target, reference.desc, (counts ? NAME : UNCOUNTED) + bridges.size());
                         bridges.add(bridge);
                         boolean inInterface = (type.access & Opcodes.ACC_INTERFACE) != 0;
                         reference.bsmArgs[IMPLEMENTATION_ARGUMENT] =
@@ -54,16 +59,19 @@ final class MethodReferenceBridges implements ClassPass {
         type.methods.addAll(bridges);
     }
 
-    private boolean needsBridge(ClassNode type, Handle target) {
+    private static boolean touchesStatics(Handle target) {
+        return target.getTag() == Opcodes.H_INVOKESTATIC || target.getTag() == Opcodes.H_NEWINVOKESPECIAL;
+    }
+
+    private boolean initialises(ClassNode type, Handle target) {
+        return touchesStatics(target) && !target.getOwner().equals(type.name) && catalog.initialises(target.getOwner());
+    }
+
+    private boolean isRedirected(Handle target) {
         String owner = target.getOwner();
         int opcode = opcode(target.getTag());
-        boolean touchesStatics = opcode == Opcodes.INVOKESTATIC || target.getTag() == Opcodes.H_NEWINVOKESPECIAL;
-        if (touchesStatics && !owner.equals(type.name)
-                && (catalog.initialisesOnFibre(owner) || catalog.isGuarded(owner))) {
-            return true;
-        }
         return redirects.find(opcode, owner, target.getName(), target.getDesc()) != null
-                || touchesStatics && constructed.concerns(owner, target.getName() + target.getDesc());
+                || touchesStatics(target) && constructed.concerns(owner, target.getName() + target.getDesc());
     }
 
     private static int opcode(int tag) {

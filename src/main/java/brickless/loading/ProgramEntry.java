@@ -6,6 +6,7 @@ import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.util.function.Consumer;
 
 /** Calls into a robot's own classes from outside, by reflection: its hooks, its threads and its main method. */
 final class ProgramEntry {
@@ -15,6 +16,14 @@ final class ProgramEntry {
 
     static Budget bind(ClassLoader robot, VirtualMachine kernel) {
         return (Budget) call(hook(robot, "Hooks", "bind", VirtualMachine.class), kernel);
+    }
+
+    static void listen(ClassLoader robots, Consumer<Class<?>> onInitialisation) {
+        call(hook(robots, "Hooks", "listen", Consumer.class), onInitialisation);
+    }
+
+    static MethodHandles.Lookup insideOf(Class<?> type) {
+        return (MethodHandles.Lookup) call(hook(type.getClassLoader(), "ReflectionHooks", "insideOf", Class.class), type);
     }
 
     static Thread newThread(ClassLoader robot, Runnable body, String name) {
@@ -29,8 +38,11 @@ final class ProgramEntry {
 
     /** Initialises the class on the calling fibre and calls its main method. */
     static void callMain(ClassLoader robot, String mainClass, String[] arguments) {
-        Class<?> type = (Class<?>) call(hook(robot, "ReflectionHooks", "forName", String.class), mainClass);
-        call(mainMethod(type), arguments);
+        call(mainMethod(initialized(robot, mainClass)), arguments);
+    }
+
+    static Class<?> initialized(ClassLoader robot, String name) {
+        return (Class<?>) call(hook(robot, "ReflectionHooks", "forName", String.class), name);
     }
 
     private static Method mainMethod(Class<?> type) {

@@ -1,6 +1,7 @@
 package brickless.loading;
 
 import org.objectweb.asm.ClassVisitor;
+import org.objectweb.asm.ConstantDynamic;
 import org.objectweb.asm.FieldVisitor;
 import org.objectweb.asm.Handle;
 import org.objectweb.asm.Label;
@@ -10,6 +11,9 @@ import org.objectweb.asm.Type;
 
 /** Reports every class and member that a class refers to, with the line. Names are internal. */
 final class ReferenceReader extends ClassVisitor {
+    /** The class that is reported for a constant which a bootstrap method computes. */
+    static final String COMPUTED_CONSTANT = "java/lang/constant/DynamicConstantDesc";
+
     private final Listener listener;
     private String self;
     private int line;
@@ -105,26 +109,37 @@ final class ReferenceReader extends ClassVisitor {
 
         @Override
         public void visitInvokeDynamicInsn(String name, String descriptor, Handle bootstrap, Object... arguments) {
-            refersTo(Type.getMethodType(descriptor));
+            ReferenceReader.this.refersTo(Type.getMethodType(descriptor));
+            refersTo(bootstrap);
             for (Object argument : arguments) {
-                if (argument instanceof Handle) {
-                    Handle handle = (Handle) argument;
-                    boolean field = handle.getTag() <= Opcodes.H_PUTSTATIC;
-                    refers(handle.getOwner(), handle.getName() + (field ? ":" : "") + handle.getDesc());
-                }
+                refersToConstant(argument);
+            }
+        }
+
+        private void refersTo(Handle handle) {
+            boolean field = handle.getTag() <= Opcodes.H_PUTSTATIC;
+            refers(handle.getOwner(), handle.getName() + (field ? ":" : "") + handle.getDesc());
+        }
+
+        private void refersToConstant(Object constant) {
+            if (constant instanceof Handle) {
+                refersTo((Handle) constant);
+            } else if (constant instanceof Type) {
+                ReferenceReader.this.refersTo((Type) constant);
+            } else if (constant instanceof ConstantDynamic) {
+                refers(COMPUTED_CONSTANT, "");
+                refersTo(((ConstantDynamic) constant).getBootstrapMethod());
             }
         }
 
         @Override
         public void visitLdcInsn(Object value) {
-            if (value instanceof Type) {
-                refersTo((Type) value);
-            }
+            refersToConstant(value);
         }
 
         @Override
         public void visitMultiANewArrayInsn(String descriptor, int dimensions) {
-            refersTo(Type.getType(descriptor));
+            ReferenceReader.this.refersTo(Type.getType(descriptor));
         }
 
         @Override

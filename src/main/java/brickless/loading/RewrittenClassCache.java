@@ -44,11 +44,11 @@ final class RewrittenClassCache {
     }
 
     /**
-     * The rewritten bytes, or null if unknown here.
+     * The rewritten class, or null if unknown here.
      *
      * @param summaries what is true now about other classes
      */
-    byte[] find(String key, Function<String, ClassSummary> summaries) {
+    RewrittenClass find(String key, Function<String, ClassSummary> summaries) {
         Entry entry;
         synchronized (this) {
             entry = entries.get(key);
@@ -67,21 +67,21 @@ final class RewrittenClassCache {
         return entry.rewritten;
     }
 
-    /** Stores the bytes under a key, with what the rewriting learned about other classes. */
-    synchronized void store(String key, byte[] rewritten, Map<String, ClassSummary> learned) {
+    /** Stores the class under a key, with what the rewriting learned about other classes. */
+    synchronized void store(String key, RewrittenClass rewritten, Map<String, ClassSummary> learned) {
         Entry previous = entries.put(key, new Entry(rewritten, learned));
-        storedBytes += rewritten.length - (previous == null ? 0 : previous.rewritten.length);
+        storedBytes += rewritten.size() - (previous == null ? 0 : previous.rewritten.size());
         Iterator<Entry> eldest = entries.values().iterator();
         while (storedBytes > capacityBytes && eldest.hasNext()) {
-            storedBytes -= eldest.next().rewritten.length;
+            storedBytes -= eldest.next().rewritten.size();
             eldest.remove();
         }
     }
 
-    /** How often stored bytes were used. */
+    /** How often stored classes were used. */
     synchronized long hits() {
         return hits;
     }
 
-    private record Entry(byte[] rewritten, Map<String, ClassSummary> learned) {}
+    private record Entry(RewrittenClass rewritten, Map<String, ClassSummary> learned) {}
 }

@@ -23,6 +23,8 @@ import java.util.List;
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";
+    /** Exchanges its own statics. */
+    private static final String HOOKS = "brickless.kernel.hooks.Hooks";
 
     private final LoadingRules rules;
     private final ClassLoader application;
@@ -30,6 +32,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     private final ClassSource programClasses;
     private final ClassCatalog catalog;
     private final ClassRewriter rewriter;
+    /** Set before any class is defined; null unless several robots share the classes. */
+    private StaticExchange exchange;
 
     private RobotClassLoader(ClassLoader application, ClassSource programClasses, LoadingRules rules) {
         super(NAME, getPlatformClassLoader());
@@ -74,6 +78,18 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return new RobotClassLoader(application, new LoaderClassSource(application), rules);
     }
 
+    /** Prepares for several robots; to be called before any class is loaded. */
+    public RobotClassLoader forSeveralRobots() {
+        exchange = new StaticExchange();
+        ProgramEntry.listen(this, exchange::initialisationBegins);
+        return this;
+    }
+
+    /** A robot that runs these classes. Without {@link #forSeveralRobots} there must be one only. */
+    public RobotContext newRobot() {
+        return new RobotContext(this, exchange);
+    }
+
     /**
      * Connects this robot's hooks to its kernel; null disconnects them. Without a kernel rewritten classes behave as
      * plain ones.
@@ -102,6 +118,13 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return ProgramEntry.newThread(this, body, name);
     }
 
+    /**
+     * A class of the robot, initialised as the program would. Call on a thread of the program.
+     */
+    public Class<?> initialized(String name) {
+        return ProgramEntry.initialized(this, name);
+    }
+
     @Override
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
         synchronized (getClassLoadingLock(name)) {
@@ -126,25 +149,36 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        ClassFile file = locate(name);
-        if (file == null) {
+        ClassFile file = locate(InterfaceStatics.interfaceOf(name));
+        byte[] bytes = file == null ? null : bytesOf(name, file);
+        if (bytes == null) {
             throw new ClassNotFoundException(name);
         }
-        byte[] bytes = rules.of(name) == Treatment.PER_ROBOT_PLAIN ? file.bytes()
-                : rewritten(name.replace('.', '/'), file);
-        return defineClass(name, bytes, 0, bytes.length);
+        Class<?> type = defineClass(name, bytes, 0, bytes.length);
+        if (exchange != null && !name.equals(HOOKS)) {
+            exchange.defined(type, bytes);
+        }
+        return type;
     }
 
-    private synchronized byte[] rewritten(String internalName, ClassFile file) {
+    private byte[] bytesOf(String name, ClassFile file) {
+        if (rules.of(name) == Treatment.PER_ROBOT_PLAIN) {
+            return file.bytes();
+        }
+        RewrittenClass rewritten = rewritten(InterfaceStatics.interfaceOf(name).replace('.', '/'), file);
+        return InterfaceStatics.isName(name) ? rewritten.statics() : rewritten.bytes();
+    }
+
+    private synchronized RewrittenClass rewritten(String internalName, ClassFile file) {
         String key = RewrittenClassCache.key(file.bytes());
-        byte[] known = RewrittenClassCache.shared().find(key, catalog::summary);
+        RewrittenClass known = RewrittenClassCache.shared().find(key, catalog::summary);
         if (known != null) {
             return known;
         }
         catalog.takeConsulted();
-        byte[] bytes = rewriter.rewrite(file, internalName);
-        RewrittenClassCache.shared().store(key, bytes, catalog.takeConsulted());
-        return bytes;
+        RewrittenClass rewritten = rewriter.rewrite(file, internalName);
+        RewrittenClassCache.shared().store(key, rewritten, catalog.takeConsulted());
+        return rewritten;
     }
 
     private ClassFile locate(String name) {
@@ -157,6 +191,12 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     private ClassFile rewritable(String internalName) {
         String name = internalName.replace('/', '.');
         return rules.of(name) == Treatment.PER_ROBOT_REWRITTEN ? locate(name) : null;
+    }
+
+    /** The file of a class of the program itself, not of leJOS or the simulator; null for any other class. */
+    ClassFile programClass(String internalName) {
+        boolean ours = internalName.startsWith("[") || rules.isOurs(internalName.replace('/', '.'));
+        return ours ? null : rewritable(internalName);
     }
 
     @Override

@@ -2,6 +2,7 @@ package brickless.simulation;
 
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
+import brickless.loading.RobotContext;
 import java.util.Optional;
 
 /** One program of a run in virtual time: its kernel, its classes, and the robot it drives. */
@@ -10,10 +11,10 @@ final class ProgramSession implements RobotSession.ProgramExit {
     private final RobotSession robot;
     private final RobotRealm realm;
 
-    ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, Optional<ProgramBody> body) {
+    ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, RobotContext context, Optional<ProgramBody> body) {
         kernel = new Kernel(kernelSettings(settings, member.name(), stage.stepNanos()));
         robot = stage.enter(member, kernel, member.fitted() || body.isPresent(), this);
-        realm = new RobotRealm(member.program(), kernel, robot.brick(robot.console()), body);
+        realm = new RobotRealm(context, member.program().mainClass(), kernel, robot.brick(robot.console()), body);
     }
 
     private static KernelSettings kernelSettings(SimulationSettings settings, String name, long stepNanos) {

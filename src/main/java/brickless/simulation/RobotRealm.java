@@ -3,11 +3,8 @@ package brickless.simulation;
 import brickless.hardware.BrickAccess;
 import brickless.hardware.BrickHardware;
 import brickless.kernel.Kernel;
-import brickless.loading.LoadingRules;
 import brickless.loading.RobotClassLoader;
-import brickless.program.Program;
-import java.io.IOException;
-import java.io.UncheckedIOException;
+import brickless.loading.RobotContext;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.util.Optional;
@@ -17,28 +14,26 @@ final class RobotRealm {
     /** Starts programs inside the robot's realm as the brick's menu does. */
     private static final String LAUNCHER = "lejos.internal.ev3.EV3Wrapper";
 
+    private final RobotContext robot;
     private final RobotClassLoader loader;
     private final Kernel kernel;
 
-    RobotRealm(Program program, Kernel kernel, BrickHardware brick, Optional<ProgramBody> body) {
+    RobotRealm(RobotContext robot, String mainClass, Kernel kernel, BrickHardware brick, Optional<ProgramBody> body) {
+        this.robot = robot;
         this.kernel = kernel;
-        try {
-            loader = program.classPath().isEmpty()
-                    ? RobotClassLoader.ofApplication(Thread.currentThread().getContextClassLoader(), LoadingRules.standard())
-                    : RobotClassLoader.ofPaths(program.classPath());
-        } catch (IOException e) {
-            throw new SetupException(e.getMessage());
-        }
-        kernel.bind(loader.bind(kernel));
+        loader = robot.loader();
+        kernel.bind(robot.bind(kernel));
+        kernel.beforeTurn(robot::enter);
         attach(brick);
-        Thread main = body.isPresent() ? loader.programThread("main", () -> run(body.get())) : loader.mainThread(LAUNCHER, program.mainClass());
+        Thread main = robot.during(() -> body.isPresent() ? loader.programThread("main", () -> run(body.get()))
+                : loader.mainThread(LAUNCHER, mainClass));
         main.setContextClassLoader(loader);
         kernel.main(main, main);
     }
 
     private void run(ProgramBody body) {
         try {
-            Class<?> launcher = Class.forName(LAUNCHER, true, loader);
+            Class<?> launcher = loader.initialized(LAUNCHER);
             MethodHandles.publicLookup().findStatic(launcher, "prepare", MethodType.methodType(void.class)).invoke();
             body.run(loader);
         } catch (Throwable thrown) {
@@ -53,26 +48,23 @@ final class RobotRealm {
     }
 
     private void attach(BrickHardware brick) {
-        try {
-            loader.loadClass(BrickAccess.class.getName()).getMethod("attach", BrickHardware.class).invoke(null, brick);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("the robot's own BrickAccess must be there", e);
-        }
+        robot.during(() -> {
+            try {
+                return loader.loadClass(BrickAccess.class.getName()).getMethod("attach", BrickHardware.class).invoke(null, brick);
+            } catch (ReflectiveOperationException e) {
+                throw new IllegalStateException("the robot's own BrickAccess must be there", e);
+            }
+        });
     }
 
     /** Ends the program from outside, e.g. within a physics step, on a thread of its own: shutdown hooks still run. */
     void end(int status) {
-        kernel.start(loader.programThread("menu", () -> kernel.exit(status)));
+        kernel.start(robot.during(() -> loader.programThread("menu", () -> kernel.exit(status))));
     }
 
-    /** Lets go of the program: disconnects kernel and brick and closes its jars. */
+    /** Lets go of the program: disconnects kernel and brick. */
     void release() {
         attach(null);
-        loader.bind(null);
-        try {
-            loader.close();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        robot.bind(null);
     }
 }

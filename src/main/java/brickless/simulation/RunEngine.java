@@ -2,12 +2,14 @@ package brickless.simulation;
 
 import brickless.kernel.Ensemble;
 import brickless.kernel.ProgramEnd;
+import brickless.loading.RobotContext;
 import brickless.program.Program;
 import brickless.trace.ReportScene;
 import brickless.trace.TraceListener;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 
 /**
  * One run in virtual time: programs on kernels drive a {@link Stage}, held at a {@link Gate} by whoever drives the run.
@@ -16,9 +18,13 @@ import java.util.concurrent.CancellationException;
  * touches it only while the {@link Gate} holds the run, or when it is over.
  */
 final class RunEngine {
+    /** Whether robots with the same program share its classes; tests compare both ways. */
+    static volatile boolean sharing = true;
+
     private final Crew crew;
     private final Stage stage;
     private final List<ProgramSession> programs;
+    private final ProgramLoaders loaders = new ProgramLoaders(sharing);
     private final Gate gate = new Gate();
     private boolean started;
     private volatile RunReport report;
@@ -29,11 +35,14 @@ final class RunEngine {
         try {
             List<Crew.Member> members = crew.members();
             stage = new Stage(settings, program, members, listener);
-            programs = members.stream().map(member -> new ProgramSession(settings, member, stage, body)).toList();
+            List<RobotContext> robots = loaders.contexts(members.stream().map(Crew.Member::program).toList());
+            programs = IntStream.range(0, members.size())
+                    .mapToObj(i -> new ProgramSession(settings, members.get(i), stage, robots.get(i), body)).toList();
             stage.begin();
             ready = true;
         } finally {
             if (!ready) {
+                loaders.close();
                 crew.close();
             }
         }
@@ -123,6 +132,7 @@ final class RunEngine {
 
     private void release() {
         programs.forEach(ProgramSession::release);
+        loaders.close();
         crew.close();
     }
 

@@ -20,7 +20,7 @@ class LoadingRulesTest {
         "brickless.kernel.hooks.VirtualMachine, SHARED",
         "brickless.kernel.hooks.FloatingText$Reading, SHARED",
         "brickless.kernel.hooks.Hooks, PER_ROBOT_PLAIN",
-        "brickless.kernel.hooks.Hooks$StaticBudget, PER_ROBOT_PLAIN",
+        "brickless.kernel.hooks.RobotState, PER_ROBOT_PLAIN",
         "brickless.hardware.BrickAccess, PER_ROBOT_PLAIN",
         "brickless.concurrent.Semaphore, PER_ROBOT_REWRITTEN",
         "lejos.hardware.motor.Motor, PER_ROBOT_REWRITTEN",

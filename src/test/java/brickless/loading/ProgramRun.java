@@ -1,5 +1,6 @@
 package brickless.loading;
 
+import brickless.kernel.Ensemble;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelListener;
 import brickless.kernel.KernelSettings;
@@ -13,7 +14,9 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
+import java.util.List;
 
 /**
  * One run of a program from the test class path on a kernel without a brick.
@@ -32,17 +35,36 @@ record ProgramRun(ProgramEnd end, String output, String traceHash) {
     }
 
     static ProgramRun run(RobotClassLoader loader, String mainClass, KernelSettings settings, String input) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        PrintStream console = new PrintStream(bytes, true, StandardCharsets.UTF_8);
-        Kernel kernel = new Kernel(settings);
-        kernel.bind(loader.bind(kernel));
-        kernel.setStreams(console, console, new ByteArrayInputStream(input.getBytes(StandardCharsets.UTF_8)));
-        Trace trace = new Trace(console);
-        kernel.listen(trace);
-        Thread main = loader.mainThread(mainClass);
-        ProgramEnd end = kernel.run(main, main);
-        String output = bytes.toString(StandardCharsets.UTF_8);
-        return new ProgramRun(end, output, trace.hash(end, output));
+        return together(List.of(loader.newRobot()), mainClass, List.of(settings), input).get(0);
+    }
+
+    /** Runs a program in several robots, which meet at the steps. */
+    static List<ProgramRun> together(List<RobotContext> robots, String mainClass, List<KernelSettings> settings, String input) {
+        List<Kernel> kernels = new ArrayList<>();
+        List<ByteArrayOutputStream> outputs = new ArrayList<>();
+        List<Trace> traces = new ArrayList<>();
+        for (RobotContext robot : robots) {
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            PrintStream console = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+            Kernel kernel = new Kernel(settings.get(kernels.size()));
+            kernel.bind(robot.bind(kernel));
+            kernel.beforeTurn(robot::enter);
+            kernel.setStreams(console, console, new ByteArrayInputStream(input.getBytes(StandardCharsets.UTF_8)));
+            Trace trace = new Trace(console);
+            kernel.listen(trace);
+            Thread main = robot.during(() -> robot.loader().mainThread(mainClass));
+            kernel.main(main, main);
+            kernels.add(kernel);
+            outputs.add(bytes);
+            traces.add(trace);
+        }
+        List<ProgramEnd> ends = new Ensemble(kernels, kernels.size() == 1 ? null : time -> { }).run();
+        List<ProgramRun> runs = new ArrayList<>();
+        for (int i = 0; i < ends.size(); i++) {
+            String output = outputs.get(i).toString(StandardCharsets.UTF_8);
+            runs.add(new ProgramRun(ends.get(i), output, traces.get(i).hash(ends.get(i), output)));
+        }
+        return runs;
     }
 
     /** Feeds a digest. */

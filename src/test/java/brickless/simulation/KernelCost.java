@@ -37,7 +37,8 @@ public final class KernelCost implements Measurement {
         Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L)
                 .withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
-        RobotRealm realm = new RobotRealm(program, kernel, robot.brick(robot.console()), Optional.empty());
+        ProgramLoaders loaders = new ProgramLoaders(false);
+        RobotRealm realm = new RobotRealm(loaders.contexts(List.of(program)).get(0), program.mainClass(), kernel, robot.brick(robot.console()), Optional.empty());
         stage.begin();
         long process = processNanos();
         long wall = System.nanoTime();
@@ -47,6 +48,7 @@ public final class KernelCost implements Measurement {
                 .put("wallMillisPerSecond", (System.nanoTime() - wall) / perSecond)
                 .put("switchesPerSecond", (double) kernel.contextSwitches() / seconds);
         realm.release();
+        loaders.close();
         return figures;
     }
 

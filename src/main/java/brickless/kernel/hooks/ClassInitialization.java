@@ -3,154 +3,140 @@ package brickless.kernel.hooks;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
-import java.lang.reflect.Method;
-import java.lang.reflect.Modifier;
-import java.util.IdentityHashMap;
-import java.util.Map;
+import java.lang.reflect.Field;
 
 /**
- * Class initialisation on fibres (JLS 12.4.2). A static initialiser that may block is renamed by the loader and run
- * from here, so that it is an ordinary Java frame that can be switched away. The initialiser of an interface stays the
- * JVM's; here is decided who makes the JVM run it, and who waits. Per robot.
+ * Class initialisation of rewritten classes (JLS 12.4.2). The loader renames each static initialiser and calls a
+ * trigger before each use of the class in other classes; here is decided who runs the initialiser and who waits. The
+ * JVM's own initialisation would happen once for all robots that share the classes, and would make a second thread wait
+ * on the host. Per robot.
  *
- * <p>Who initialises a class holds a virtual monitor meanwhile, so that a deadlock is found like any other.
+ * <p>Who runs an initialiser that may block holds a virtual monitor meanwhile, so that a deadlock is found like any
+ * other. One that only computes costs nothing but what it does: its thread keeps the processor until it ends.
  */
 public final class ClassInitialization {
     /** Renamed {@code <clinit>}. */
     public static final String INITIALISER = "$clinit$";
     /** Static method that makes sure that its class is initialised; the loader calls it before each active use. */
     public static final String TRIGGER = "$init";
-    /** Static constant of those classes and interfaces for which {@link #initializeGuarded} is called instead. */
-    public static final String GUARDED = "$guarded";
+    /** What the trigger calls unless the class is initialised. */
+    public static final String SLOW_TRIGGER = "$initialize";
+    /**
+     * Ends the name of the class that holds the computed constants of an interface, with their initialiser: only the
+     * JVM itself could set them in the interface.
+     */
+    public static final String STATICS_SUFFIX = "$$Statics";
 
     private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
     private static final MethodType NO_ARGUMENTS = MethodType.methodType(void.class);
-    private static final Map<Class<?>, Progress> STARTED = new IdentityHashMap<>();
 
     private ClassInitialization() {}
 
     /**
-     * Initialises a class unless that has happened or the calling thread is at it; blocks while another thread is.
+     * Begins to initialise a class unless that has happened or the calling thread is at it; blocks while another thread
+     * is.
      *
-     * @param ownInitialiser whether the class has a renamed initialiser; if not, only its superclasses have work to do
-     * @return whether it is complete, so that the trigger need not call again
+     * @param mayBlock whether its initialiser, or one that must run before, may block
+     * @return whether the caller must now initialise it, and say {@link #complete} or {@link #failed}
+     * @throws NoClassDefFoundError if that was tried before and failed
      */
-    public static boolean initialize(Class<?> type, boolean ownInitialiser) {
+    public static boolean begin(Class<?> type, boolean mayBlock) {
         Progress progress = progressOf(type);
-        MonitorHooks.enter(progress);
-        try {
+        progress.mayBlock = mayBlock || !Hooks.isBound();
+        progress.enter();
+        if (progress.failed || progress.begun) {
+            progress.exit();
             if (progress.failed) {
-                throw new NoClassDefFoundError("Could not initialize class " + type.getName());
+                throw new NoClassDefFoundError("Could not initialize class " + progress.name());
             }
-            if (!progress.begun) {
-                progress.begun = true;
-                run(type, ownInitialiser, progress);
-            }
-            return progress.complete;
-        } finally {
-            MonitorHooks.exit(progress);
+            return false;
         }
+        progress.begun = true;
+        Hooks.initialisationBegins(type);
+        return true;
     }
 
-    /** Does the same for an interface, or for a class with interfaces, that the JVM must not initialise by itself. */
-    public static void initializeGuarded(Class<?> type) {
-        if (!progressOf(type).complete) {
-            initialize(type, !type.isInterface());
+    /** The class is initialised. */
+    public static void complete(Class<?> type) {
+        end(progressOf(type), false);
+    }
+
+    /**
+     * The initialisation of a class failed.
+     *
+     * @return what to throw
+     */
+    public static Error failed(Throwable failure, Class<?> type) {
+        Progress progress = progressOf(type);
+        if (failure instanceof ProgramKilled) {
+            progress.exit();
+            return (ProgramKilled) failure;
         }
+        end(progress, true);
+        return failure instanceof Error ? (Error) failure : new ExceptionInInitializerError(failure);
     }
 
     /**
      * Initialises a class that is about to be used by reflection, and its superclasses; does nothing for other classes.
      */
     public static void initializeForReflection(Class<?> type) {
-        if (type.getClassLoader() != ClassInitialization.class.getClassLoader()) {
-            return;
+        Class<?> statics = isRewritten(type) && type.isInterface() ? staticsOf(type) : type;
+        if (statics != null && isRewritten(type)) {
+            callTrigger(statics);
         }
-        if (isGuarded(type)) {
-            initializeGuarded(type);
-        } else if (!type.isInterface()) {
-            callIfPresent(type, TRIGGER);
+    }
+
+    /** Where the value of a static field is: computed constants of an interface are not in the interface. */
+    static Field storage(Field field) {
+        Class<?> statics = field.getDeclaringClass().isInterface() && isRewritten(field.getDeclaringClass())
+                ? staticsOf(field.getDeclaringClass()) : null;
+        try {
+            return statics == null ? field : statics.getField(field.getName());
+        } catch (NoSuchFieldException constant) {
+            return field;
+        }
+    }
+
+    private static boolean isRewritten(Class<?> type) {
+        return type.getClassLoader() == ClassInitialization.class.getClassLoader();
+    }
+
+    private static Class<?> staticsOf(Class<?> type) {
+        try {
+            return Class.forName(type.getName() + STATICS_SUFFIX, false, type.getClassLoader());
+        } catch (ClassNotFoundException none) {
+            return null;
         }
     }
 
     private static synchronized Progress progressOf(Class<?> type) {
-        return STARTED.computeIfAbsent(type, Progress::new);
-    }
-
-    private static void run(Class<?> type, boolean ownInitialiser, Progress progress) {
-        try {
-            if (type.isInterface()) {
-                MethodHandles.privateLookupIn(type, LOOKUP).ensureInitialized(type);
-            } else {
-                initializeParents(type);
-                if (ownInitialiser) {
-                    callIfPresent(type, INITIALISER);
-                }
-            }
-        } catch (ProgramKilled killed) {
-            throw killed;
-        } catch (Throwable failure) {
-            finish(progress, true);
-            throw failure instanceof Error ? (Error) failure : new ExceptionInInitializerError(failure);
-        }
-        finish(progress, false);
+        return Hooks.robot().initialisations.computeIfAbsent(type, Progress::new);
     }
 
     /** Costs a monitor's entry again, as the JVM takes the class's lock once more to say that it is done. */
-    private static void finish(Progress progress, boolean failed) {
-        MonitorHooks.enter(progress);
-        progress.complete = !failed;
-        progress.failed = failed;
-        MonitorHooks.exit(progress);
-    }
-
-    /** The superclass and, where the JVM would do that natively, the interfaces with default methods. */
-    private static void initializeParents(Class<?> type) {
-        initializeForReflection(type.getSuperclass());
-        if (isGuarded(type)) {
-            initializeInterfaces(type);
-        }
-    }
-
-    private static void initializeInterfaces(Class<?> type) {
-        for (Class<?> parent : type.getInterfaces()) {
-            if (parent.getClassLoader() == type.getClassLoader()) {
-                initializeInterfaces(parent);
-                if (isGuarded(parent) && hasDefaultMethods(parent)) {
-                    initializeGuarded(parent);
-                }
-            }
-        }
-    }
-
-    private static boolean isGuarded(Class<?> type) {
+    private static void end(Progress progress, boolean failed) {
         try {
-            return type.getDeclaredField(GUARDED).isSynthetic();
-        } catch (NoSuchFieldException usual) {
-            return false;
-        }
-    }
-
-    private static boolean hasDefaultMethods(Class<?> type) {
-        for (Method method : type.getDeclaredMethods()) {
-            if ((method.getModifiers() & (Modifier.STATIC | Modifier.ABSTRACT)) == 0) {
-                return true;
+            if (progress.mayBlock) {
+                MonitorHooks.enter(progress);
+                MonitorHooks.exit(progress);
             }
+            progress.failed = failed;
+        } finally {
+            progress.exit();
         }
-        return false;
     }
 
-    private static void callIfPresent(Class<?> type, String method) {
-        MethodHandle handle;
+    private static void callTrigger(Class<?> type) {
+        MethodHandle trigger;
         try {
-            handle = MethodHandles.privateLookupIn(type, LOOKUP).findStatic(type, method, NO_ARGUMENTS);
+            trigger = MethodHandles.privateLookupIn(type, LOOKUP).findStatic(type, TRIGGER, NO_ARGUMENTS);
         } catch (NoSuchMethodException absent) {
             return;
         } catch (IllegalAccessException broken) {
             throw new LinkageError(type.getName(), broken);
         }
         try {
-            handle.invokeExact();
+            trigger.invokeExact();
         } catch (Throwable failure) {
             throw ClassInitialization.<RuntimeException>unchecked(failure);
         }
@@ -162,20 +148,44 @@ public final class ClassInitialization {
         throw (E) failure;
     }
 
-    /** Guarded by its own virtual monitor, which the initialising thread holds. */
-    private static final class Progress implements NamedMonitor {
+    /**
+     * How far the initialisation of one class is. If it may block, guarded by its own virtual monitor, which the
+     * initialising thread holds; if not, by the processor, which that thread keeps.
+     */
+    static final class Progress implements NamedMonitor {
         private final Class<?> type;
+        private boolean mayBlock;
         private boolean begun;
-        private boolean complete;
         private boolean failed;
 
         Progress(Class<?> type) {
             this.type = type;
         }
 
+        void enter() {
+            if (mayBlock) {
+                MonitorHooks.enter(this);
+            } else {
+                Hooks.machine().undivided(true);
+            }
+        }
+
+        void exit() {
+            if (mayBlock) {
+                MonitorHooks.exit(this);
+            } else {
+                Hooks.machine().undivided(false);
+            }
+        }
+
+        String name() {
+            String name = type.getName();
+            return name.endsWith(STATICS_SUFFIX) ? name.substring(0, name.length() - STATICS_SUFFIX.length()) : name;
+        }
+
         @Override
         public String monitorName() {
-            return "the initialisation of " + type.getName();
+            return "the initialisation of " + name();
         }
     }
 }

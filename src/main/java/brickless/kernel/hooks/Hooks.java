@@ -1,11 +1,14 @@
 package brickless.kernel.hooks;
 
+import java.util.function.Consumer;
+
 /**
  * The hooks that rewritten loops, calls, allocations and handlers use, and the robot's link to its kernel.
  *
- * <p>Every robot's class loader defines this class anew, so its static fields are per robot. Until {@link #bind} a
- * {@link HostMachine} stands in for the kernel: rewritten classes then behave like plain ones. With a kernel only the
- * running fibre touches these fields; fibres hand over with a happens-before edge, so they need not be volatile.
+ * <p>Every robot's class loader defines this class anew; where robots share a loader, its static fields are those of
+ * the robot that has the processor. Until {@link #bind} a {@link HostMachine} stands in for the kernel: rewritten
+ * classes then behave like plain ones. With a kernel only the running fibre touches these fields; fibres hand over with
+ * a happens-before edge, so they need not be volatile.
  */
 public final class Hooks {
     /** Virtual nanoseconds left before the kernel must be entered. */
@@ -14,22 +17,46 @@ public final class Hooks {
     /** Open calls of the running fibre. */
     public static int depth;
 
-    private static int largestDepth = Integer.MAX_VALUE;
-    private static long largestArrayBytes = Long.MAX_VALUE;
-    private static VirtualMachine machine = new HostMachine();
+    private static RobotState robot = new RobotState(null);
+    private static VirtualMachine machine = robot.machine;
+    private static int largestDepth = robot.largestDepth;
+    private static long largestArrayBytes = robot.largestArrayBytes;
+    /** Told of each class whose initialisation begins; the same for all robots. */
+    private static Consumer<Class<?>> classListener = type -> { };
 
     private Hooks() {}
 
     /**
      * Connects this robot to its kernel before the program's first instruction; null returns to plain JDK behaviour.
+     *
+     * @return the robot's counters, which are a {@link StaticState} too
      */
     public static Budget bind(VirtualMachine kernel) {
-        machine = kernel == null ? new HostMachine() : kernel;
-        largestDepth = kernel == null ? Integer.MAX_VALUE : InstructionCharges.LARGEST_CALL_DEPTH;
-        largestArrayBytes = kernel == null ? Long.MAX_VALUE : InstructionCharges.LARGEST_ARRAY_BYTES;
         left = 0;
         depth = 0;
-        return new StaticBudget();
+        use(new RobotState(kernel));
+        return robot;
+    }
+
+    /** Says who is told of each class whose initialisation begins, for whatever robot. */
+    public static void listen(Consumer<Class<?>> listener) {
+        classListener = listener;
+    }
+
+    static void use(RobotState state) {
+        robot = state;
+        machine = state.machine;
+        largestDepth = state.largestDepth;
+        largestArrayBytes = state.largestArrayBytes;
+    }
+
+    /** What the hooks keep for the robot that has the processor. */
+    static RobotState robot() {
+        return robot;
+    }
+
+    static void initialisationBegins(Class<?> type) {
+        classListener.accept(type);
     }
 
     /** The machine that this robot's program runs on. */
@@ -114,39 +141,6 @@ public final class Hooks {
             left -= (int) nanos;
         } else {
             machine.charge(nanos);
-        }
-    }
-
-    /** A static initialiser that stayed the JVM's begins. */
-    public static void initialiserBegins() {
-        machine.nativeInitialiser(true);
-    }
-
-    /** It ends. */
-    public static void initialiserEnds() {
-        machine.nativeInitialiser(false);
-    }
-
-    /** The kernel's access to {@link #left} and {@link #depth}. */
-    private static final class StaticBudget implements Budget {
-        @Override
-        public int left() {
-            return left;
-        }
-
-        @Override
-        public void grant(int nanos) {
-            left = nanos;
-        }
-
-        @Override
-        public int depth() {
-            return depth;
-        }
-
-        @Override
-        public void depth(int restored) {
-            depth = restored;
         }
     }
 }

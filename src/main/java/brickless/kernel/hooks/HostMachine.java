@@ -35,7 +35,7 @@ final class HostMachine implements VirtualMachine {
     }
 
     @Override
-    public void nativeInitialiser(boolean begins) {
+    public void undivided(boolean begins) {
         // The host's threads wait for each other as they should.
     }
 

@@ -6,13 +6,16 @@ import java.lang.ref.WeakReference;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Sequential identity hashes: the host's differ from run to run. Per robot. */
+/**
+ * Sequential identity hashes: the host's differ from run to run. Objects of the program keep theirs; an instance of
+ * this class keeps those of all others for one robot. Per robot.
+ */
 public final class IdentityHashes {
     private static final Map<Class<?>, Boolean> WITHOUT_OWN_HASH = new HashMap<>();
-    private static final Map<Object, Integer> OF_JDK_OBJECTS = new HashMap<>();
-    private static final ReferenceQueue<Object> COLLECTED = new ReferenceQueue<>();
+    private final Map<Object, Integer> ofJdkObjects = new HashMap<>();
+    private final ReferenceQueue<Object> collected = new ReferenceQueue<>();
 
-    private IdentityHashes() {}
+    IdentityHashes() {}
 
     /** The hash that a program object keeps: {@code drawn} if it has one, else the next. */
     public static int orNext(int drawn) {
@@ -25,7 +28,7 @@ public final class IdentityHashes {
             return 0;
         }
         return object instanceof IdentityHashed ? ((IdentityHashed) object).bricklessIdentityHash()
-                : ofJdkObject(object);
+                : Hooks.robot().identityHashes.ofJdkObject(object);
     }
 
     /** {@code object.hashCode()}, where that would be the host's identity hash: a sequential one. */
@@ -39,7 +42,7 @@ public final class IdentityHashes {
         if (object instanceof IdentityHashed || !hasIdentityHash(object.getClass())) {
             return object.hashCode();
         }
-        return ofJdkObject(object);
+        return Hooks.robot().identityHashes.ofJdkObject(object);
     }
 
     /** {@code Objects.hashCode(object)}. */
@@ -81,18 +84,18 @@ public final class IdentityHashes {
         }
     }
 
-    private static synchronized int ofJdkObject(Object object) {
-        for (Reference<?> gone = COLLECTED.poll(); gone != null; gone = COLLECTED.poll()) {
-            OF_JDK_OBJECTS.remove(gone);
+    private synchronized int ofJdkObject(Object object) {
+        for (Reference<?> gone = collected.poll(); gone != null; gone = collected.poll()) {
+            ofJdkObjects.remove(gone);
         }
-        return OF_JDK_OBJECTS.computeIfAbsent(new WeakIdentity(object), key -> Hooks.machine().nextIdentityHash());
+        return ofJdkObjects.computeIfAbsent(new WeakIdentity(object, collected), key -> Hooks.machine().nextIdentityHash());
     }
 
     private static final class WeakIdentity extends WeakReference<Object> {
         private final int hash;
 
-        WeakIdentity(Object object) {
-            super(object, COLLECTED);
+        WeakIdentity(Object object, ReferenceQueue<Object> queue) {
+            super(object, queue);
             hash = System.identityHashCode(object);
         }
 

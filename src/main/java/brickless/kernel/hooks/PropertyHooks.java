@@ -15,7 +15,6 @@ public final class PropertyHooks {
         "user.language", "en", "user.timezone", "UTC",
     };
     private static final Map<String, String> ENVIRONMENT = Map.of("HOME", "/home/root");
-    private static Properties properties = brickProperties();
 
     private PropertyHooks() {}
 
@@ -29,32 +28,36 @@ public final class PropertyHooks {
 
     /** {@code System.getProperties}. */
     public static Properties getProperties() {
-        return properties;
+        RobotState robot = Hooks.robot();
+        if (robot.properties == null) {
+            robot.properties = brickProperties();
+        }
+        return robot.properties;
     }
 
     /** {@code System.setProperties}; null restores the brick's. */
     public static void setProperties(Properties replacement) {
-        properties = replacement == null ? brickProperties() : replacement;
+        Hooks.robot().properties = replacement;
     }
 
     /** {@code System.getProperty(key)}. */
     public static String getProperty(String key) {
-        return properties.getProperty(checked(key));
+        return getProperties().getProperty(checked(key));
     }
 
     /** {@code System.getProperty(key, otherwise)}. */
     public static String getProperty(String key, String otherwise) {
-        return properties.getProperty(checked(key), otherwise);
+        return getProperties().getProperty(checked(key), otherwise);
     }
 
     /** {@code System.setProperty}. */
     public static String setProperty(String key, String value) {
-        return (String) properties.setProperty(checked(key), value);
+        return (String) getProperties().setProperty(checked(key), value);
     }
 
     /** {@code System.clearProperty}. */
     public static String clearProperty(String key) {
-        return (String) properties.remove(checked(key));
+        return (String) getProperties().remove(checked(key));
     }
 
     /** {@code Integer.getInteger(key)}. */
@@ -70,7 +73,7 @@ public final class PropertyHooks {
 
     /** {@code Integer.getInteger(key, otherwise)}. */
     public static Integer getInteger(String key, Integer otherwise) {
-        String value = key == null || key.isEmpty() ? null : properties.getProperty(key);
+        String value = key == null || key.isEmpty() ? null : getProperties().getProperty(key);
         try {
             return value == null ? otherwise : Integer.decode(value);
         } catch (NumberFormatException notANumber) {
@@ -80,7 +83,7 @@ public final class PropertyHooks {
 
     /** {@code Boolean.getBoolean(key)}. */
     public static boolean getBoolean(String key) {
-        return key != null && !key.isEmpty() && Boolean.parseBoolean(properties.getProperty(key));
+        return key != null && !key.isEmpty() && Boolean.parseBoolean(getProperties().getProperty(key));
     }
 
     /** {@code System.lineSeparator}. */

@@ -1,10 +1,9 @@
 package brickless.kernel.hooks;
 
+import java.lang.invoke.MethodHandles;
 import java.lang.reflect.AccessibleObject;
 import java.lang.reflect.Constructor;
-import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Member;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 
@@ -14,7 +13,14 @@ import java.lang.reflect.Modifier;
  * robot.
  */
 public final class ReflectionHooks {
+    private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
+
     private ReflectionHooks() {}
+
+    /** Full access to a class of the robot, for its loader. */
+    public static MethodHandles.Lookup insideOf(Class<?> type) throws IllegalAccessException {
+        return MethodHandles.privateLookupIn(type, LOOKUP);
+    }
 
     /** {@code Class.forName(name)}. */
     public static Class<?> forName(String name) throws ClassNotFoundException {
@@ -56,30 +62,11 @@ public final class ReflectionHooks {
             return hook.invoke(null, Modifier.isStatic(method.getModifiers()) ? arguments
                     : withReceiver(receiver, arguments));
         }
-        initializeFor(method);
+        if (Modifier.isStatic(method.getModifiers())) {
+            ClassInitialization.initializeForReflection(method.getDeclaringClass());
+        }
         makeAccessible(method, method.getDeclaringClass());
         return method.invoke(receiver, arguments);
-    }
-
-    /** {@code field.get(receiver)}. */
-    public static Object get(Field field, Object receiver) throws IllegalAccessException {
-        initializeFor(field);
-        makeAccessible(field, field.getDeclaringClass());
-        return field.get(receiver);
-    }
-
-    /** {@code field.set(receiver, value)}. */
-    public static void set(Field field, Object receiver, Object value) throws IllegalAccessException {
-        initializeFor(field);
-        makeAccessible(field, field.getDeclaringClass());
-        field.set(receiver, value);
-    }
-
-    /** Methods and fields of objects need nothing: the objects could not be there otherwise. */
-    private static void initializeFor(Member member) {
-        if (Modifier.isStatic(member.getModifiers())) {
-            ClassInitialization.initializeForReflection(member.getDeclaringClass());
-        }
     }
 
     private static Object[] withReceiver(Object receiver, Object[] arguments) {

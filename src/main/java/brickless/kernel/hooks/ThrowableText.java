@@ -15,7 +15,8 @@ public final class ThrowableText {
             {"java.", "javax.", "jdk.", "sun.", "com.sun.", "brickless.kernel.", "brickless.loading.",
         "brickless.concurrent.", "brickless.simulation.", "lejos.internal."};
     private static final String INITIALISER = "$clinit$";
-    private static final String INITIALISER_TRIGGER = "$init";
+    private static final Set<String> INITIALISER_TRIGGERS = Set.of("$init", "$initialize");
+    private static final String INTERFACE_STATICS = "$$Statics";
 
     private ThrowableText() {}
 
@@ -25,7 +26,7 @@ public final class ThrowableText {
         for (StackTraceElement frame : frames) {
             if (isOfProgram(frame)) {
                 String method = INITIALISER.equals(frame.getMethodName()) ? "<clinit>" : frame.getMethodName();
-                kept.add(new StackTraceElement(frame.getClassName(), method, frame.getFileName(),
+                kept.add(new StackTraceElement(frame.getClassName().replace(INTERFACE_STATICS, ""), method, frame.getFileName(),
                         frame.getLineNumber()));
             }
         }
@@ -38,7 +39,7 @@ public final class ThrowableText {
                 return false;
             }
         }
-        return !INITIALISER_TRIGGER.equals(frame.getMethodName());
+        return !INITIALISER_TRIGGERS.contains(frame.getMethodName());
     }
 
     /** {@code failure.getMessage()} without the identity of a class loader, or null. */

@@ -20,10 +20,10 @@ public interface VirtualMachine {
     boolean killing();
 
     /**
-     * A static initialiser that the JVM itself runs begins or ends on the running fibre, which keeps the processor
-     * meanwhile: another one that comes to need the class would wait on the host.
+     * A static initialiser that only computes begins or ends on the running fibre, which keeps the processor meanwhile:
+     * no other one can come to need the class.
      */
-    void nativeInitialiser(boolean begins);
+    void undivided(boolean begins);
 
     /** The lock that the calling thread will wait for until it has it, null when that is over. */
     void waitsFor(OwnedLock lock);
