@@ -26,6 +26,10 @@ class SelfActingSensorsTest {
             steps++;
         }
 
+        @Override boolean writable(int register) {
+            return false;
+        }
+
         @Override void written(int register, long nowNanos) {
             throw new AssertionError("nobody writes");
         }
