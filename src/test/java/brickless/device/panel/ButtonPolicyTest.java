@@ -70,7 +70,7 @@ class ButtonPolicyTest {
         stepUntil(6000);
         bench.processor().charge(begin * MILLI - MILLI / 2);
         bench.keys.awaitChange(0, 0);
-        assertThat(bench.millis()).isBetween(begin + 999.0, begin + 1001.0);
+        assertThat(bench.millis()).isBetween(begin + 1000.0, begin + 1002.0);
     }
 
     /** Short waits with hardly anything between them count as one, and it may be answered soon after the last of them has begun. */
