@@ -43,7 +43,7 @@ public final class Arena {
         Body ground = world.createBody(new BodyDef());
         List<ObstacleBody> solids = new ArrayList<>();
         for (Obstacle obstacle : description.obstacles()) {
-            solids.add(new ObstacleBody(world, ground, obstacle, solids.size()));
+            solids.add(new ObstacleBody(world, ground, obstacle));
         }
         List<RobotBody> bodies = new ArrayList<>();
         for (Entrant entrant : entrants) {
@@ -51,7 +51,7 @@ public final class Arena {
         }
         this.obstacles = List.copyOf(solids);
         this.robots = List.copyOf(bodies);
-        this.contacts = new Contacts(robots.size(), robots.size() + obstacles.size());
+        this.contacts = new Contacts(robots.size());
         this.sector = new Sector(world);
         this.zones = new ZoneWatch(description.zones(), robots.size());
         world.setContactListener(contacts);

@@ -1,6 +1,8 @@
 package brickless.physics;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
@@ -14,18 +16,24 @@ final class Contacts implements ContactListener {
     /** Bodies must have been apart this long before touching again counts as another collision: assumption. */
     static final long APART_NANOS = 200_000_000;
 
-    private final int[][] touching;
-    private final long[][] apartSince;
+    private final List<List<Meeting>> meetings;
     private final WorldManifold manifold = new WorldManifold();
     private ArenaListener listener = ArenaListener.NONE;
     private long now;
 
-    Contacts(int robots, int solids) {
-        touching = new int[robots][solids];
-        apartSince = new long[robots][solids];
-        for (long[] row : apartSince) {
-            Arrays.fill(row, -APART_NANOS);
+    /** A robot and something that it has touched at some time. */
+    private static final class Meeting {
+        private final Solid other;
+        private int contacts;
+        private long apartSince = -APART_NANOS;
+
+        Meeting(Solid other) {
+            this.other = other;
         }
+    }
+
+    Contacts(int robots) {
+        meetings = Stream.generate(() -> (List<Meeting>) new ArrayList<Meeting>()).limit(robots).toList();
     }
 
     void setListener(ArenaListener listener) {
@@ -45,7 +53,8 @@ final class Contacts implements ContactListener {
         bumper(contact.getFixtureB(), true);
         Solid a = solid(contact.getFixtureA());
         Solid b = solid(contact.getFixtureB());
-        if (count(a, b, 1) == 1 && now - apartSince(a, b) >= APART_NANOS) {
+        Meeting meeting = meeting(a, b);
+        if (meeting != null && ++meeting.contacts == 1 && now - meeting.apartSince >= APART_NANOS) {
             report(contact, a, b);
         }
     }
@@ -57,7 +66,10 @@ final class Contacts implements ContactListener {
         }
         bumper(contact.getFixtureA(), false);
         bumper(contact.getFixtureB(), false);
-        count(solid(contact.getFixtureA()), solid(contact.getFixtureB()), -1);
+        Meeting meeting = meeting(solid(contact.getFixtureA()), solid(contact.getFixtureB()));
+        if (meeting != null && --meeting.contacts == 0) {
+            meeting.apartSince = now;
+        }
     }
 
     @Override public void preSolve(Contact contact, Manifold oldManifold) {
@@ -107,23 +119,22 @@ final class Contacts implements ContactListener {
         return (Solid) fixture.getBody().getUserData();
     }
 
-    /** Counts contacts between a robot and another solid; returns the new count, 0 if no robot is involved. */
-    private int count(Solid a, Solid b, int change) {
+    /** The book on a robot and another solid, null if no robot is involved. */
+    private Meeting meeting(Solid a, Solid b) {
         RobotBody robot = robotOf(a, b);
         if (robot == null) {
-            return 0;
+            return null;
         }
-        int other = index(robot == a ? b : a);
-        touching[robot.index][other] += change;
-        if (touching[robot.index][other] == 0) {
-            apartSince[robot.index][other] = now;
+        Solid other = robot == a ? b : a;
+        List<Meeting> known = meetings.get(robot.index);
+        for (int i = 0; i < known.size(); i++) {
+            if (known.get(i).other == other) {
+                return known.get(i);
+            }
         }
-        return touching[robot.index][other];
-    }
-
-    private long apartSince(Solid a, Solid b) {
-        RobotBody robot = robotOf(a, b);
-        return apartSince[robot.index][index(robot == a ? b : a)];
+        Meeting first = new Meeting(other);
+        known.add(first);
+        return first;
     }
 
     /** The robot that keeps the book for a pair: of two robots the one with the lower number. */
@@ -132,10 +143,6 @@ final class Contacts implements ContactListener {
             return first.index < second.index ? first : second;
         }
         return a instanceof RobotBody robot ? robot : b instanceof RobotBody robot ? robot : null;
-    }
-
-    private int index(Solid solid) {
-        return solid instanceof RobotBody robot ? robot.index : touching.length + ((ObstacleBody) solid).index;
     }
 
     private void report(Contact contact, Solid a, Solid b) {

@@ -11,15 +11,12 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.joints.JointEdge;
 
 /**
- * Keeps the boxes of the broad phase around the shapes of bodies that moved.
+ * Keeps the boxes of the broad phase around the shapes of bodies that moved: those boxes that JBox2D would have, after each step.
  *
  * <p>The boxes have a margin. A robot that moved less than what was left of it when it was last looked at is certainly still inside, and
- * need not be looked at ({@link Clearance}).
+ * need not be looked at ({@link Clearance}). Where a body was before the step matters only for a new box: it was within the old one.
  */
 final class FatBoxes {
-    /** More than any rounding error of a corner's place, decimetres. */
-    private static final float SAFETY = 0.005f;
-
     private final LazyTree tree;
     private final BroadPhase broadPhase;
     private final Rotation rotation = new Rotation();
@@ -36,11 +33,19 @@ final class FatBoxes {
     /** A body has moved, from {@code m_sweep.c0} and {@code a0} to where it is. */
     void follow(Body body) {
         Clearance clearance = clearance(body);
-        if (clearance == null) {
-            update(body);
-        } else if (clearance.usedUp(farthest(body, clearance.radius()))) {
-            float left = update(body);
-            clearance.renew(left - SAFETY, radius(body));
+        if (clearance != null && clearance.enough(body.m_sweep)) {
+            return;
+        }
+        if (clearance != null) {
+            if (clearance.radius() < 0) {
+                clearance.setRadius(radius(body));
+            }
+            clearance.begin(body.m_sweep);
+        }
+        for (Fixture fixture = body.m_fixtureList; fixture != null; fixture = fixture.m_next) {
+            if (fixture.m_proxyCount > 0) {
+                update(body, fixture, clearance);
+            }
         }
     }
 
@@ -65,14 +70,21 @@ final class FatBoxes {
         return largest;
     }
 
-    /** No point of the body can have moved farther. */
-    private static float farthest(Body body, float radius) {
-        return Math.abs(body.m_sweep.c.x - body.m_sweep.c0.x) + Math.abs(body.m_sweep.c.y - body.m_sweep.c0.y)
-                + Math.abs(body.m_sweep.a - body.m_sweep.a0) * radius;
+    private void update(Body body, Fixture fixture, Clearance clearance) {
+        int proxy = tree.proxyOf(fixture.m_proxies[0]);
+        AABB fat = tree.getFatAABB(proxy);
+        fixture.m_shape.computeAABB(later, body.m_xf, 0);
+        if (!LazyTree.contains(fat, later)) {
+            move(body, fixture, proxy);
+        }
+        if (clearance != null) {
+            clearance.limit(later.lowerBound.x - fat.lowerBound.x, later.lowerBound.y - fat.lowerBound.y, fat.upperBound.x - later.upperBound.x,
+                    fat.upperBound.y - later.upperBound.y);
+        }
     }
 
-    /** Does what JBox2D does after each step; returns the least distance of a shape's box from the edge of its fat box. */
-    private float update(Body body) {
+    /** Gives a shape another box as JBox2D does: around where it was and where it is. */
+    private void move(Body body, Fixture fixture, int proxy) {
         rotation.to(body.m_sweep.a0);
         before.q.s = (float) rotation.sin();
         before.q.c = (float) rotation.cos();
@@ -81,27 +93,9 @@ final class FatBoxes {
         before.p.y = body.m_sweep.c0.y - before.q.s * centre.x - before.q.c * centre.y;
         shift.x = body.m_xf.p.x - before.p.x;
         shift.y = body.m_xf.p.y - before.p.y;
-        float least = Float.POSITIVE_INFINITY;
-        for (Fixture fixture = body.m_fixtureList; fixture != null; fixture = fixture.m_next) {
-            if (fixture.m_proxyCount > 0) {
-                least = Math.min(least, update(fixture, body.m_xf));
-            }
-        }
-        return least;
-    }
-
-    private float update(Fixture fixture, Transform now) {
         fixture.m_shape.computeAABB(earlier, before, 0);
-        fixture.m_shape.computeAABB(later, now, 0);
         AABB box = fixture.getAABB(0);
         box.combine(earlier, later);
-        int proxy = tree.proxyOf(fixture.m_proxies[0]);
         broadPhase.moveProxy(proxy, box, shift);
-        return margin(broadPhase.getFatAABB(proxy), box);
-    }
-
-    private static float margin(AABB fat, AABB box) {
-        return Math.min(Math.min(box.lowerBound.x - fat.lowerBound.x, box.lowerBound.y - fat.lowerBound.y),
-                Math.min(fat.upperBound.x - box.upperBound.x, fat.upperBound.y - box.upperBound.y));
     }
 }

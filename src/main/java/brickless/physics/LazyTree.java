@@ -17,7 +17,7 @@ import org.jbox2d.common.Vec2;
  * moving shape out and in again at every step, which was a third of the time of a run.
  */
 final class LazyTree implements BroadPhaseStrategy {
-    private final BroadPhaseStrategy tree = new BoxTree();
+    private final BoxTree tree = new BoxTree();
     private final Map<Object, Integer> proxies = new IdentityHashMap<>();
     private int version;
 
@@ -26,7 +26,7 @@ final class LazyTree implements BroadPhaseStrategy {
         return !contains(tree.getFatAABB(proxy), box) && tree.moveProxy(proxy, box, displacement);
     }
 
-    private static boolean contains(AABB outer, AABB inner) {
+    static boolean contains(AABB outer, AABB inner) {
         return outer.lowerBound.x <= inner.lowerBound.x && outer.lowerBound.y <= inner.lowerBound.y
                 && inner.upperBound.x <= outer.upperBound.x && inner.upperBound.y <= outer.upperBound.y;
     }

@@ -23,14 +23,12 @@ public final class ObstacleBody implements Solid {
     private static final double FRICTION_ARM = 2.0 / 3;
 
     final Body body;
-    final int index;
     private final Obstacle description;
     private final Point2 centre;
     private final double radius;
 
-    ObstacleBody(org.jbox2d.dynamics.World world, Body ground, Obstacle description, int index) {
+    ObstacleBody(org.jbox2d.dynamics.World world, Body ground, Obstacle description) {
         this.description = description;
-        this.index = index;
         List<List<Point2>> pieces = Shapes.pieces(description.outlines());
         this.centre = Shapes.centroid(pieces);
         this.radius = Shapes.radius(pieces, centre);

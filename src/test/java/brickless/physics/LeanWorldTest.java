@@ -45,12 +45,12 @@ class LeanWorldTest {
             for (int i = 0; i < 5; i++) {
                 drawn.add(TestWorlds.crate("crate" + i, 0.15 + 0.22 * i, 0.62, 0.08, 0.1 + 0.2 * i));
             }
-            drawn.forEach(obstacle -> obstacles.add(new ObstacleBody(world, ground, obstacle, obstacles.size())));
+            drawn.forEach(obstacle -> obstacles.add(new ObstacleBody(world, ground, obstacle)));
             for (int i = 0; i < 3; i++) {
                 Entrant entrant = new Entrant("robot" + i, model(i == 0), new Pose2(0.25 + 0.35 * i, i == 1 ? 0.9 : 0.3, i));
                 robots.add(new RobotBody(world, ground, entrant, i, false, drawn.size()));
             }
-            world.setContactListener(new Contacts(robots.size(), robots.size() + drawn.size()));
+            world.setContactListener(new Contacts(robots.size()));
         }
 
         private static RobotModel model(boolean turret) {

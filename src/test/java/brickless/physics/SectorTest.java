@@ -37,7 +37,7 @@ class SectorTest {
         for (int i = 0; i < 40; i++) {
             Obstacle box = TestWorlds.crate("box" + i, even(-2, 2), even(-2, 2), even(0.01, 0.4), 1);
             obstacles.add(new ObstacleBody(world, ground, new Obstacle(box.id(), box.outlines(), i % 2 == 0, 1, i % 3 == 0 ? 0.03 : 0.1, 0.5, false,
-                    box.colour()), i));
+                    box.colour())));
             if (i % 4 == 0) {
                 obstacles.get(i).place(new Pose2(even(-2, 2), even(-2, 2), even(-4, 4)));
             }
@@ -128,7 +128,7 @@ class SectorTest {
         }
         Body ground = world.createBody(new BodyDef());
         ObstacleBody post = new ObstacleBody(world, ground, new Obstacle("post", List.of(star), false, 0, 0.1, 0.5, false,
-                new Rgb(0, 0, 0)), obstacles.size());
+                new Rgb(0, 0, 0)));
         aim.x = 4.5;
         sector.see(0, null);
         sector.face(aim, 1, 0, 1, 0.1);

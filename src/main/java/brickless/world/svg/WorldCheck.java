@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
@@ -50,8 +51,13 @@ public final class WorldCheck {
         }
         List<Polygon> body = outlines(robot).stream()
                 .map(outline -> polygon(outline.stream().map(p -> moved(p, start)).toList())).toList();
+        Envelope around = new Envelope();
+        body.forEach(part -> around.expandToInclude(part.getEnvelopeInternal()));
         for (Obstacle obstacle : world.obstacles()) {
             for (List<Point2> outline : obstacle.outlines()) {
+                if (!around.intersects(envelope(outline))) {
+                    continue;
+                }
                 Polygon solid = polygon(outline);
                 if (body.stream().anyMatch(part -> part.intersects(solid) && !part.touches(solid))) {
                     throw problem(file, world, start, "the robot " + robot.name() + " starts inside the obstacle "
@@ -103,6 +109,14 @@ public final class WorldCheck {
         double cos = StrictMath.cos(pose.headingRadians());
         double sin = StrictMath.sin(pose.headingRadians());
         return new Point2(pose.x() + cos * p.x() - sin * p.y(), pose.y() + sin * p.x() + cos * p.y());
+    }
+
+    private static Envelope envelope(List<Point2> ring) {
+        Envelope envelope = new Envelope();
+        for (Point2 p : ring) {
+            envelope.expandToInclude(p.x(), p.y());
+        }
+        return envelope;
     }
 
     private static Polygon polygon(List<Point2> ring) {

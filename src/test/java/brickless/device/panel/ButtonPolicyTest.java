@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ButtonPolicyTest {
     private static final long MILLI = 1_000_000;
@@ -59,5 +61,26 @@ class ButtonPolicyTest {
         bench.keys.awaitListenerEvent(0);
         assertThat(bench.millis()).isGreaterThan(3999);
         assertThat(policy.presses()).isZero();
+    }
+
+    /** The policy does not look all the time, but no wait is answered late for that: begun early or late between two looks. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 99, 100, 101, 450, 899, 900, 901, 999, 1000, 1001, 1750, 2700})
+    void wheneverTheWaitBeginsThePressComesAfterASecond(int begin) throws InterruptedException {
+        stepUntil(6000);
+        bench.processor().charge(begin * MILLI - MILLI / 2);
+        bench.keys.awaitChange(0, 0);
+        assertThat(bench.millis()).isBetween(begin + 1000.0, begin + 1002.0);
+    }
+
+    /** Short waits with hardly anything between them count as one, and it may be answered soon after the last of them has begun. */
+    @Test
+    void repeatedShortWaitsAreAnsweredAfterASecondAltogether() throws InterruptedException {
+        stepUntil(3000);
+        bench.processor().charge(300 * MILLI);
+        while (bench.keys.awaitChange(0, 7 * MILLI) == 0) {
+            bench.processor().charge(MILLI / 20);
+        }
+        assertThat(bench.millis()).isBetween(1300.0, 1302.0);
     }
 }
