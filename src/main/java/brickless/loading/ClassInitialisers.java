@@ -40,8 +40,10 @@ final class ClassInitialisers implements ClassPass, MethodPass {
         }
         if ((type.access & Opcodes.ACC_INTERFACE) == 0) {
             for (FieldNode field : type.fields) {
-                if ((field.access & Opcodes.ACC_STATIC) != 0 && field.value == null) {
+                boolean isFinal = (field.access & Opcodes.ACC_FINAL) != 0;
+                if (isFinal && (field.access & Opcodes.ACC_STATIC) != 0 && field.value == null) {
                     field.access &= ~Opcodes.ACC_FINAL;
+                    field.visitAttribute(new OnceFinal());
                 }
             }
         }

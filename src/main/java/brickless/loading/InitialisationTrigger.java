@@ -41,7 +41,8 @@ import org.objectweb.asm.tree.ClassNode;
  */
 final class InitialisationTrigger {
     private static final String HOOKS = "brickless/kernel/hooks/ClassInitialization";
-    private static final String DONE = "$initialized";
+    /** Set when the class is initialised. */
+    static final String DONE = "$initialized";
     private static final String NOTHING = "()V";
     private static final int HIDDEN_STATIC = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_SYNTHETIC;
 

@@ -10,7 +10,8 @@ import java.util.Set;
  * Who defines which class, as data: the first rule that fits a class name decides. Immutable.
  *
  * <p>What a robot must have for itself (its program, leJOS, everything with static state of the robot) is defined per
- * robot; what crosses the border between robot and simulator is shared.
+ * robot, or once for the robots that share a {@link RobotClassLoader}, with its static fields exchanged; what crosses
+ * the border between robot and simulator is shared by all.
  */
 public final class LoadingRules {
     /** What the robot's loader does with a class. */

@@ -14,12 +14,13 @@ import java.util.Enumeration;
 import java.util.List;
 
 /**
- * The class loader of one robot: defines its program, leJOS and the robot's own hooks anew, rewritten as
- * {@link LoadingRules} say, and takes everything else from the application.
+ * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots' own
+ * hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
  *
- * <p>Create one per robot and run, {@link #bind} it to a kernel before any class of the program is used, run
- * {@link #mainThread} on it, and {@link #close} it afterwards. Nothing outside refers to it then, so that its classes
- * can be collected. Thread-safe.
+ * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel before
+ * any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards. Nothing
+ * outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the other
+ * calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";

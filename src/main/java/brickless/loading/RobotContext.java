@@ -15,6 +15,8 @@ public final class RobotContext {
     private final RobotClassLoader loader;
     private final StaticExchange exchange;
     private final List<StaticState> states = new ArrayList<>();
+    /** Those of {@link #states} that can still change. */
+    private final List<StaticState> changing = new ArrayList<>();
     private StaticState hooks;
 
     /**
@@ -63,8 +65,14 @@ public final class RobotContext {
 
     void save(List<StaticClass> classes) {
         addMissing(classes);
-        for (StaticState state : states) {
+        boolean someFinal = false;
+        for (int i = 0; i < changing.size(); i++) {
+            StaticState state = changing.get(i);
             state.save();
+            someFinal |= state.isFinal();
+        }
+        if (someFinal) {
+            changing.removeIf(StaticState::isFinal);
         }
         if (hooks != null) {
             hooks.save();
@@ -73,8 +81,8 @@ public final class RobotContext {
 
     void load(List<StaticClass> classes) {
         addMissing(classes);
-        for (StaticState state : states) {
-            state.load();
+        for (int i = 0; i < states.size(); i++) {
+            states.get(i).load();
         }
         if (hooks != null) {
             hooks.load();
@@ -83,7 +91,9 @@ public final class RobotContext {
 
     private void addMissing(List<StaticClass> classes) {
         while (states.size() < classes.size()) {
-            states.add(classes.get(states.size()).fresh());
+            StaticState state = classes.get(states.size()).fresh();
+            states.add(state);
+            changing.add(state);
         }
     }
 }

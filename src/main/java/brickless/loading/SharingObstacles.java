@@ -69,10 +69,18 @@ public final class SharingObstacles {
     }
 
     private void check(ReferenceReader.Reference reference, String user) {
-        String member = reference.owner() + "." + reference.member();
-        if (obstacle == null && (CLASSES.contains(reference.owner()) || MEMBERS.stream().anyMatch(member::startsWith))) {
-            obstacle = user.replace('/', '.') + " uses " + (CLASSES.contains(reference.owner()) ? reference.owner() : member);
+        if (obstacle == null && isOne(reference)) {
+            obstacle = user.replace('/', '.') + " uses " + text(reference);
         }
         lookAt(reference.owner());
+    }
+
+    /** Whether a class or member must not be used. */
+    static boolean isOne(ReferenceReader.Reference reference) {
+        return CLASSES.contains(reference.owner()) || MEMBERS.stream().anyMatch(text(reference)::startsWith);
+    }
+
+    private static String text(ReferenceReader.Reference reference) {
+        return reference.owner() + "." + reference.member();
     }
 }

@@ -34,10 +34,12 @@ final class StaticClass {
         new ClassReader(classFile).accept(new ClassVisitor(Opcodes.ASM9) {
             @Override
             public FieldVisitor visitField(int access, String name, String descriptor, String signature, Object value) {
-                if ((access & (Opcodes.ACC_STATIC | Opcodes.ACC_FINAL)) == Opcodes.ACC_STATIC) {
-                    fields.add(new FieldNode(access, name, descriptor, null, value));
+                if ((access & (Opcodes.ACC_STATIC | Opcodes.ACC_FINAL)) != Opcodes.ACC_STATIC) {
+                    return null;
                 }
-                return null;
+                FieldNode field = new FieldNode(access, name, descriptor, null, value);
+                fields.add(field);
+                return field;
             }
 
             @Override

@@ -39,6 +39,7 @@ final class StaticStateWriter {
         constructor();
         copy("save", Opcodes.GETSTATIC, Opcodes.PUTFIELD);
         copy("load", Opcodes.GETFIELD, Opcodes.PUTSTATIC);
+        isFinal();
         writer.visitEnd();
         return writer.toByteArray();
     }
@@ -66,6 +67,26 @@ final class StaticStateWriter {
             code.visitFieldInsn(to, to == Opcodes.PUTSTATIC ? owner : self, field.name, field.desc);
         }
         end(code);
+    }
+
+    /** After its initialisation, a class whose fields were all final. */
+    private void isFinal() {
+        MethodVisitor code = writer.visitMethod(Opcodes.ACC_PUBLIC, "isFinal", "()Z", null, null);
+        if (fields.stream().allMatch(StaticStateWriter::isSetOnce)
+                && fields.stream().anyMatch(field -> field.name.equals(InitialisationTrigger.DONE))) {
+            code.visitVarInsn(Opcodes.ALOAD, 0);
+            code.visitFieldInsn(Opcodes.GETFIELD, self, InitialisationTrigger.DONE, "Z");
+        } else {
+            code.visitInsn(Opcodes.ICONST_0);
+        }
+        code.visitInsn(Opcodes.IRETURN);
+        code.visitMaxs(0, 0);
+        code.visitEnd();
+    }
+
+    private static boolean isSetOnce(FieldNode field) {
+        return field.name.equals(InitialisationTrigger.DONE)
+                || field.attrs != null && field.attrs.stream().anyMatch(OnceFinal::is);
     }
 
     private static void end(MethodVisitor code) {

@@ -18,18 +18,21 @@ import java.util.stream.IntStream;
  * touches it only while the {@link Gate} holds the run, or when it is over.
  */
 final class RunEngine {
-    /** Whether robots with the same program share its classes; tests compare both ways. */
-    static volatile boolean sharing = true;
-
     private final Crew crew;
     private final Stage stage;
     private final List<ProgramSession> programs;
-    private final ProgramLoaders loaders = new ProgramLoaders(sharing);
+    private final ProgramLoaders loaders;
     private final Gate gate = new Gate();
     private boolean started;
     private volatile RunReport report;
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener) {
+        this(settings, program, body, listener, new ProgramLoaders(true));
+    }
+
+    /** An engine that uses given loaders and closes them in the end. */
+    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener, ProgramLoaders loaders) {
+        this.loaders = loaders;
         crew = new Crew(settings, program);
         boolean ready = false;
         try {

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** A walled square with any number of robots in rows and columns, a crate beside each. */
-record RobotGrid(int robots) {
+public record RobotGrid(int robots) {
     /** Distance of neighbours, metres. */
     static final double CELL = 1.5;
     static final double WALL = 0.03;
@@ -37,7 +37,7 @@ record RobotGrid(int robots) {
         return new Point2((robot % columns() + 0.5) * CELL, (robot / columns() + 0.5) * CELL);
     }
 
-    World world() {
+    public World world() {
         double side = side();
         List<Obstacle> obstacles = new ArrayList<>(List.of(TestWorlds.wall("north", 0, -WALL, side, 0),
                 TestWorlds.wall("south", 0, side, side, side + WALL), TestWorlds.wall("west", -WALL, 0, 0, side),
@@ -59,7 +59,7 @@ record RobotGrid(int robots) {
     }
 
     /** Two motors, a touch and an ultrasonic sensor. */
-    static RobotModel model() {
+    public static RobotModel model() {
         return TestWorlds.educator(
                 new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03,
                         TestWorlds.box(0.055, -0.058, 0.065, 0.058), Optional.empty()),

@@ -92,6 +92,10 @@ class RewritingTableTest {
             row("initialiser of an interface", "passing.initialisers.InterfaceConstants", "<clinit>"),
             row("initialiser of an enum", "passing.initialisers.EnumConstants", "extends java/lang/Enum"),
             row("initialiser that only computes", "passing.initialisers.TablesInTurns", "<clinit>"),
+            row("initialiser of a deserialised class", "passing.initialisers.Deserialised", "new java/io/ObjectInputStream"),
+            row("reflection on static fields", "passing.initialisers.OnlyComputing", "call java/lang/reflect/Field.getInt"),
+            row("method handles", "passing.initialisers.OnlyComputing", "call java/lang/invoke/MethodHandles$Lookup.findStatic"),
+            row("Enum.valueOf", "passing.statics.MutableEnums", "call java/lang/Enum.valueOf"),
             row("initialiser that starts a thread", "passing.initialisers.MainClassStartsThread", "<clinit>"),
             // classes that stand for the JDK's
             row("Timer", "passing.concurrency.TimerTicks", "new java/util/Timer", "extends java/util/TimerTask"),

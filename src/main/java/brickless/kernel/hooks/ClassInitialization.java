@@ -98,7 +98,7 @@ public final class ClassInitialization {
     }
 
     private static boolean isRewritten(Class<?> type) {
-        return type.getClassLoader() == ClassInitialization.class.getClassLoader();
+        return !type.isArray() && type.getClassLoader() == ClassInitialization.class.getClassLoader();
     }
 
     private static Class<?> staticsOf(Class<?> type) {

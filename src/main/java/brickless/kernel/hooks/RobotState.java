@@ -69,6 +69,11 @@ final class RobotState extends StaticState implements Budget {
     }
 
     @Override
+    public boolean isFinal() {
+        return false;
+    }
+
+    @Override
     public void load() {
         Hooks.left = left;
         Hooks.depth = depth;

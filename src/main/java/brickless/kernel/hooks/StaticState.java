@@ -11,6 +11,11 @@ public abstract class StaticState {
     /** Takes the present values of the static fields. */
     public abstract void save();
 
+    /**
+     * Whether {@link #save} need not be called again, because the values that were taken last cannot change any more.
+     */
+    public abstract boolean isFinal();
+
     /** Gives the static fields their values back. */
     public abstract void load();
 }
