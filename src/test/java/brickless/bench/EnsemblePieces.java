@@ -33,8 +33,10 @@ public class EnsemblePieces {
         private List<Kernel> kernels;
 
         /** New ones for every invocation: a kernel runs once. */
-        @Setup(Level.Invocation) public void create() {
-            kernels = IntStream.range(0, ROBOTS).mapToObj(i -> new Kernel(KernelSettings.defaults().withLimitNanos(LIMIT_NANOS))).toList();
+        @Setup(Level.Invocation)
+        public void create() {
+            KernelSettings settings = KernelSettings.defaults().withLimitNanos(LIMIT_NANOS);
+            kernels = IntStream.range(0, ROBOTS).mapToObj(i -> new Kernel(settings)).toList();
         }
 
         private void run(Program program) {
@@ -58,30 +60,38 @@ public class EnsemblePieces {
         private int left;
         private int depth;
 
-        @Override public int left() {
+        @Override
+        public int left() {
             return left;
         }
 
-        @Override public void grant(int nanos) {
+        @Override
+        public void grant(int nanos) {
             left = nanos;
         }
 
-        @Override public int depth() {
+        @Override
+        public int depth() {
             return depth;
         }
 
-        @Override public void depth(int restored) {
+        @Override
+        public void depth(int restored) {
             depth = restored;
         }
     }
 
     /** Each robot's only thread sleeps for five steps again and again. */
-    @Benchmark @OperationsPerInvocation(ROBOTS * STEPS) public void sleepingRobot(Robots robots) {
+    @Benchmark
+    @OperationsPerInvocation(ROBOTS * STEPS)
+    public void sleepingRobot(Robots robots) {
         robots.run(EnsemblePieces::sleep);
     }
 
-    /** Each robot has a thread that yields and one that reads two sensors before it yields: five switches in three steps. */
-    @Benchmark @OperationsPerInvocation(ROBOTS * STEPS) public void pollingRobot(Robots robots) {
+    /** Each robot has a thread that yields and one that reads two sensors before: five switches in three steps. */
+    @Benchmark
+    @OperationsPerInvocation(ROBOTS * STEPS)
+    public void pollingRobot(Robots robots) {
         robots.run(EnsemblePieces::poll);
     }
 

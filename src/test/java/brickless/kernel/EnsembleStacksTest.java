@@ -90,7 +90,8 @@ class EnsembleStacksTest {
                 sleeper.kernel.goalReached();
             }
         }, sleeper, busy);
-        assertThat(ends).extracting(ProgramEnd::kind).containsExactly(ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT);
+        assertThat(ends).extracting(ProgramEnd::kind)
+                .containsExactly(ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT);
         assertThat(unwound).containsExactly(10 * MILLI);
         assertThat(steppedUntil[0]).isEqualTo(LIMIT);
     }
@@ -110,7 +111,8 @@ class EnsembleStacksTest {
                 brief.kernel.goalReached();
             }
         }, brief, busy);
-        assertThat(ends).extracting(ProgramEnd::kind).containsExactly(ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT);
+        assertThat(ends).extracting(ProgramEnd::kind)
+                .containsExactly(ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT);
         assertThat(brief.log).isEmpty();
     }
 
@@ -131,7 +133,8 @@ class EnsembleStacksTest {
             }
         });
         List<ProgramEnd> ends = run(time -> { }, stuck, busy);
-        assertThat(ends).extracting(ProgramEnd::kind).containsExactly(ProgramEnd.Kind.DEADLOCK, ProgramEnd.Kind.TIME_LIMIT);
+        assertThat(ends).extracting(ProgramEnd::kind)
+                .containsExactly(ProgramEnd.Kind.DEADLOCK, ProgramEnd.Kind.TIME_LIMIT);
         assertThat(ends.get(0).timeNanos() / MILLI).isEqualTo(10_001);
         assertThat(ends.get(0).dump().lines()).contains("\"main\" TIMED_WAITING",
                 "\"left\" WAITING for the end of \"right\"", "\"right\" WAITING for the end of \"left\"");
