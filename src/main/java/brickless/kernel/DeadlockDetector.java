@@ -4,9 +4,9 @@ package brickless.kernel;
  * Finds threads that can never go on.
  *
  * <p>All of a program: nobody is ready, no time-out is set and nobody waits for a device. Some of it: a cycle in the
- * graph of who waits for whom, through owners of monitors and locks and threads being joined. Monitors cannot be given up, so a
- * cycle of them is final at once; a cycle with a {@code join} could still be broken by an interrupt and is given
- * {@value #GRACE_NANOS} ns. Waits with a time-out, for {@code notify}, for {@code unpark} or for a device are no
+ * graph of who waits for whom, through owners of monitors and locks and threads being joined. Monitors cannot be given
+ * up, so a cycle of them is final at once; a cycle with a {@code join} could still be broken by an interrupt and is
+ * given {@value #GRACE_NANOS} ns. Waits with a time-out, for {@code notify}, for {@code unpark} or for a device are no
  * edges.
  */
 final class DeadlockDetector {

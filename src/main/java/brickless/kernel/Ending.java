@@ -10,6 +10,7 @@ import brickless.kernel.hooks.ProgramKilled;
 final class Ending {
     private volatile boolean killing;
     private volatile boolean abandoned;
+    /** Written before {@link #killing}. */
     private ProgramEnd end;
     private Throwable failure;
     private Throwable hostFailure;
@@ -65,7 +66,8 @@ final class Ending {
         return hostFailure;
     }
 
-    synchronized ProgramEnd end() {
-        return end;
+    /** The verdict; null while the program runs. */
+    ProgramEnd end() {
+        return killing ? end : null;
     }
 }

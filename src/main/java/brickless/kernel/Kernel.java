@@ -392,8 +392,8 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     /**
-     * Goes on, on the stack of whoever has the host's turn, until a fibre is to run: returns it. Null if there is nothing
-     * left to do before the next physics step, or at all.
+     * Goes on, on the stack of whoever has the host's turn, until a fibre is to run: returns it. Null if there is
+     * nothing left to do before the next physics step, or at all.
      */
     Fibre proceed() {
         return scheduler.proceed();

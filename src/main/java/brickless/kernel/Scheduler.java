@@ -7,9 +7,10 @@ import java.util.List;
  * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all
  * wait.
  *
- * <p>What is asked of it by the running fibre runs on that one's stack. All else, {@link #proceed}, needs no stack of the
- * program: a fibre that gives the processor up drives its own clock, and at a physics step those of the other robots,
- * until a fibre is found that goes on. If that is the same one, no stack is switched; no stack is entered in vain.
+ * <p>What is asked of it by the running fibre runs on that one's stack. All else, {@link #proceed}, needs no stack of
+ * the program: a fibre that gives the processor up drives its own clock, and at a physics step those of the other
+ * robots, until a fibre is found that goes on. If that is the same one, no stack is switched; no stack is entered in
+ * vain.
  */
 final class Scheduler {
     private final VirtualClock clock;
