@@ -76,6 +76,7 @@ class OnTheBrickTest {
 
     @Test
     void aTestOnTheBrickCannotHoldTheSimulation() {
-        assertThat(cases.failure("wantsTheSimulation")).hasMessageContaining("is inside the simulation and cannot hold it");
+        assertThat(cases.failure("wantsTheSimulation"))
+                .hasMessageContaining("is inside the simulation and cannot hold it");
     }
 }
