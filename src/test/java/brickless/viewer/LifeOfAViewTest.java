@@ -137,7 +137,7 @@ class LifeOfAViewTest {
     /** A viewer that does not read for a while. */
     private static Socket sleeper(Visit visit) throws IOException {
         Socket socket = new Socket();
-        socket.setReceiveBufferSize(2_048);
+        socket.setReceiveBufferSize(16_384);
         socket.setSoTimeout(40_000);
         socket.connect(new InetSocketAddress("127.0.0.1", visit.view.address().getPort()));
         socket.getOutputStream()
