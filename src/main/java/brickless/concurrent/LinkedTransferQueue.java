@@ -1,26 +1,24 @@
 package brickless.concurrent;
 
 import brickless.concurrent.locks.Deadline;
-import java.util.AbstractQueue;
 import java.util.Collection;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Objects;
-import java.util.Queue;
 import java.util.Spliterator;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TransferQueue;
 
 /** {@code java.util.concurrent.LinkedTransferQueue} on virtual monitors. */
-public class LinkedTransferQueue<E> extends AbstractQueue<E> implements TransferQueue<E> {
-    private final HandOff<E> handOff = new HandOff<>(true);
-
+public class LinkedTransferQueue<E> extends HandOffQueue<E> implements TransferQueue<E> {
     /** Creates an empty queue. */
     public LinkedTransferQueue() {
+        super(new HandOff<>(true));
     }
 
     /** Creates a queue that holds the elements. */
     public LinkedTransferQueue(Collection<? extends E> c) {
+        this();
         addAll(c);
     }
 
@@ -49,35 +47,12 @@ public class LinkedTransferQueue<E> extends AbstractQueue<E> implements Transfer
 
     @Override
     public void transfer(E e) throws InterruptedException {
-        transfer(e, Deadline.NEVER);
+        give(e, Deadline.NEVER);
     }
 
     @Override
     public boolean tryTransfer(E e, long timeout, TimeUnit unit) throws InterruptedException {
-        return transfer(e, Deadline.after(timeout, unit));
-    }
-
-    private boolean transfer(E e, Deadline deadline) throws InterruptedException {
-        Objects.requireNonNull(e);
-        GuardedQueue.failIfInterrupted();
-        return handOff.give(e, deadline);
-    }
-
-    @Override
-    public E take() throws InterruptedException {
-        GuardedQueue.failIfInterrupted();
-        return handOff.take(Deadline.NEVER);
-    }
-
-    @Override
-    public E poll(long timeout, TimeUnit unit) throws InterruptedException {
-        GuardedQueue.failIfInterrupted();
-        return handOff.take(Deadline.after(timeout, unit));
-    }
-
-    @Override
-    public E poll() {
-        return handOff.takeNow();
+        return give(e, Deadline.after(timeout, unit));
     }
 
     @Override
@@ -134,32 +109,5 @@ public class LinkedTransferQueue<E> extends AbstractQueue<E> implements Transfer
     @Override
     public Spliterator<E> spliterator() {
         return handOff.offered().spliterator();
-    }
-
-    @Override
-    public int drainTo(Collection<? super E> target) {
-        return drainTo(target, Integer.MAX_VALUE);
-    }
-
-    @Override
-    public int drainTo(Collection<? super E> target, int maxElements) {
-        return drain(this, target, maxElements);
-    }
-
-    static <T> int drain(Queue<T> source, Collection<? super T> target, int maxElements) {
-        Objects.requireNonNull(target);
-        if (target == source) {
-            throw new IllegalArgumentException("a queue cannot drain to itself");
-        }
-        int drained = 0;
-        while (drained < maxElements) {
-            T element = source.poll();
-            if (element == null) {
-                break;
-            }
-            target.add(element);
-            drained++;
-        }
-        return drained;
     }
 }

@@ -3,7 +3,14 @@ package brickless.hardware;
 /** The I²C bus of an input port. */
 public interface I2cChannel {
     /** Outcome of a transaction. */
-    enum Status { OK, BUSY, NO_ANSWER }
+    enum Status {
+        /** The device took and gave all bytes. */
+        OK,
+        /** Another transaction was under way. */
+        BUSY,
+        /** No device has that address. */
+        NO_ANSWER
+    }
 
     /** Selects 10 or 100 kHz and 0 or 9 V on pin 1. */
     void configure(boolean fast, boolean nineVolts);

@@ -8,7 +8,16 @@ package brickless.hardware;
  */
 public interface SensorSocket {
     /** How the plugged device talks. */
-    enum Wiring { NONE, ANALOG, UART, I2C }
+    enum Wiring {
+        /** Nothing is plugged in. */
+        NONE,
+        /** By voltages on its pins. */
+        ANALOG,
+        /** By the EV3's serial protocol. */
+        UART,
+        /** By registers on an I²C bus. */
+        I2C
+    }
 
     /** How the plugged device talks, {@link Wiring#NONE} when the port is empty. */
     Wiring wiring();

@@ -2,7 +2,12 @@ package brickless.world;
 
 /** Motors a robot file can name in {@code data-motor}. */
 public enum MotorType {
-    LARGE("ev3-large", "large"), MEDIUM("ev3-medium", "medium"), NXT("nxt", "nxt");
+    /** The EV3's large servo motor. */
+    LARGE("ev3-large", "large"),
+    /** The EV3's medium servo motor. */
+    MEDIUM("ev3-medium", "medium"),
+    /** The NXT's servo motor. */
+    NXT("nxt", "nxt");
 
     private final String title;
     private final String attribute;

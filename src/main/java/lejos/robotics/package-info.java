@@ -3,6 +3,6 @@
  * colours.
  *
  * <p>Mostly interfaces, with adapters that turn a {@link lejos.robotics.SampleProvider} into one of them.
- * May use: the JDK, {@code lejos.hardware} in adapters.
+ * May use: the JDK, {@code lejos.utility}, {@code lejos.hardware} in adapters.
  */
 package lejos.robotics;

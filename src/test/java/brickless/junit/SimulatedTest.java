@@ -7,57 +7,33 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
-import org.junit.platform.testkit.engine.Event;
 
 /** Simulations and runs as parameters of tests, and what a failing test tells. */
 class SimulatedTest {
     @TempDir static Path folder;
-    private static CompiledTests tests;
+    @AutoClose private static CompiledTests tests;
     private static EngineExecutionResults results;
-    private static final Map<String, TestExecutionResult> RESULTS = new TreeMap<>();
+    private static CaseResults cases;
 
     @BeforeAll
     static void runTheCases() throws Exception {
         tests = CompiledTests.of(folder, Map.of("cases.RunCases", CompiledTests.resource("RunCases.java.txt")));
         results = tests.run(true, "cases.RunCases");
-        results.allEvents().finished().stream().forEach(event -> RESULTS.put(name(event),
-                event.getRequiredPayload(TestExecutionResult.class)));
-    }
-
-    @AfterAll
-    static void closeTheCases() throws IOException {
-        tests.close();
-    }
-
-    private static String name(Event event) {
-        String id = event.getTestDescriptor().getUniqueId().getLastSegment().getValue();
-        return id.startsWith("#") ? event.getTestDescriptor().getParent().orElseThrow().getDisplayName()
-                .replaceAll("\\(.*", "") + id
-                : id.replaceAll("\\(.*", "");
-    }
-
-    private static Throwable failure(String name) {
-        assertThat(RESULTS).containsKey(name);
-        return RESULTS.get(name).getThrowable().orElseThrow(() -> new AssertionError(name + " passed"));
+        cases = new CaseResults(results.allEvents());
     }
 
     @Test
     void testsThatHoldPass() {
-        for (String name : new String[] {"oneSimulationPerTest", "methodBeforeClass", "inlineWorld", "inlineRobot",
-                "seeds#1", "seeds#2", "seeds#3",
-            "seeds#4", "seedByParameter#1", "seedByParameter#2", "severalRuns", "activeBehaviour"}) {
-            assertThat(RESULTS).containsKey(name);
-            assertThat(RESULTS.get(name).getThrowable()).as(name).isEmpty();
-        }
+        cases.assertPassed("oneSimulationPerTest", "methodBeforeClass", "inlineWorld", "inlineRobot", "seeds#1",
+                "seeds#2", "seeds#3", "seeds#4", "seedByParameter#1", "seedByParameter#2", "severalRuns",
+                "activeBehaviour");
     }
 
     @Test
@@ -68,7 +44,7 @@ class SimulatedTest {
 
     @Test
     void aFailingTestTellsOutcomeTimeSeedFolderAndReplay() {
-        Throwable failure = failure("failsWhileRunning");
+        Throwable failure = cases.failure("failsWhileRunning");
         assertThat(failure).isInstanceOf(AssertionError.class).hasMessageContaining("nothing of the kind");
         Path trace = tests.runs().resolve("cases.RunCases.failsWhileRunning");
         assertThat(failure.getSuppressed()).singleElement()
@@ -107,7 +83,7 @@ class SimulatedTest {
 
     @Test
     void anExpectationInVainTellsTimeAndValue() {
-        assertThat(failure("expectsInVain").getMessage())
+        assertThat(cases.failure("expectsInVain").getMessage())
                 .matches("(?s)\\nExpecting x in metres\\n  eventually: be beyond 1\\.9\\n"
                 + "  within 2 simulated seconds from 0 s on\\nbut at 2 simulated seconds it was\\n  \\d\\.\\d+\\n"
                 + "seen on the way: smallest 0\\.3\\d* at 0 s, largest \\d\\.\\d+ at [\\d.]+ s");
@@ -115,25 +91,25 @@ class SimulatedTest {
 
     @Test
     void anExpectationThatBreaksTellsWhen() {
-        assertThat(failure("expectsAlways").getMessage())
+        assertThat(cases.failure("expectsAlways").getMessage())
                 .matches("(?s)\\nExpecting way in metres\\n  always: stay below 0\\.3\\n"
                 + "but at \\d\\.\\d+ simulated seconds it was\\n  0\\.30\\d*\\n.*");
     }
 
     @Test
     void whatNeverMayHappenIsToldWhenItDoes() {
-        assertThat(failure("expectsNever").getMessage())
+        assertThat(cases.failure("expectsNever").getMessage())
                 .matches("(?s)\\nExpecting the run\\n  never: turns away from a wall\\n"
                 + "  within 20 simulated seconds from 0 s on\\nbut at \\d+(\\.\\d+)? simulated seconds it did");
     }
 
     @Test
     void anUnknownWorldIsToldInOneLine() {
-        assertThat(failure("unknownWorld").getMessage()).contains("no-such-world: no such world");
+        assertThat(cases.failure("unknownWorld").getMessage()).contains("no-such-world: no such world");
     }
 
     @Test
     void seedsOutOfOrderAreRefused() {
-        assertThat(failure("badSeeds")).hasMessageContaining("'5..1' is empty");
+        assertThat(cases.failure("badSeeds")).hasMessageContaining("'5..1' is empty");
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import brickless.kernel.BackendChoice;
-import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -15,7 +14,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,20 +23,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Same program, world, robot and seed: same trace. */
 class DeterminismTest {
     private static final int SECONDS = 8;
-    private static ExamplePrograms programs;
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
     private static final Map<String, String> HASHES = new TreeMap<>();
 
     @BeforeAll
-    static void runEveryProgramOnce() throws ProgramException, DescriptionException {
-        programs = ExamplePrograms.compiled();
+    static void runEveryProgramOnce() throws DescriptionException {
         for (String main : ExamplePrograms.MAINS) {
             HASHES.put(main, hash(main, settings(main)));
         }
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
     }
 
     static List<String> mains() {

@@ -27,9 +27,15 @@ final class ExamplePrograms implements AutoCloseable {
         this.compiled = compiled;
     }
 
-    static ExamplePrograms compiled() throws ProgramException {
-        Path home = Path.of(System.getProperty("brickless.home"));
-        return new ExamplePrograms(new ProgramFinder(home, List.of(), Optional.of(MAINS.get(0))).find("sim/programs"));
+    /** Compiles all of them; to be closed. */
+    static ExamplePrograms compiled() {
+        ProgramFinder finder = new ProgramFinder(Path.of(System.getProperty("brickless.home")), List.of(),
+                Optional.of(MAINS.get(0)));
+        try {
+            return new ExamplePrograms(finder.find("sim/programs"));
+        } catch (ProgramException e) {
+            throw new AssertionError("the example programs do not compile", e);
+        }
     }
 
     /** The program with this main class. */

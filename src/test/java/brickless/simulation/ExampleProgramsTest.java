@@ -3,7 +3,6 @@ package brickless.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import brickless.program.ProgramException;
 import brickless.simulation.ExamplePrograms.Trace;
 import brickless.world.DescriptionException;
 import brickless.world.World;
@@ -13,8 +12,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,17 +22,7 @@ class ExampleProgramsTest {
     private static final double EAR_METRES = 0.078;
 
     @TempDir Path folder;
-    private static ExamplePrograms programs;
-
-    @BeforeAll
-    static void compile() throws ProgramException {
-        programs = ExamplePrograms.compiled();
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
-    }
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
 
     private Run run(String main, SimulationSettings.Builder settings, int seconds) {
         Run run = new Simulation(settings.limit(Duration.ofSeconds(seconds)).out(Optional.of(folder)).build())

@@ -3,7 +3,6 @@ package brickless.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import brickless.bench.InstalledJdks;
-import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -17,7 +16,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,21 +27,15 @@ class FreshJvmTest {
     private static final Pattern HASH = Pattern.compile("\"traceHash\":\"(\\w{64})\"");
 
     @TempDir Path folder;
-    private static ExamplePrograms programs;
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
     private static String here;
 
     @BeforeAll
-    static void runHere() throws ProgramException, DescriptionException {
-        programs = ExamplePrograms.compiled();
+    static void runHere() throws DescriptionException {
         Run run = new Simulation(ExamplePrograms.settings("pen").limit(Duration.ofSeconds(6)).build())
                 .start(programs.program(MAIN));
         run.toEnd();
         here = run.report().traceHash();
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
     }
 
     private static List<Path> jdks() throws IOException {

@@ -3,7 +3,6 @@ package brickless.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import brickless.world.RobotModel;
 import brickless.world.svg.SvgWorldReader;
@@ -11,8 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,17 +25,7 @@ class PilotProgramsTest {
     private static final double EAR_METRES = 0.078;
     private static final double BUMPER_METRES = 0.110;
 
-    private static ExamplePrograms programs;
-
-    @BeforeAll
-    static void compile() throws ProgramException {
-        programs = ExamplePrograms.compiled();
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
-    }
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
 
     private static Run run(String main, String world, boolean ideal, long seed) throws DescriptionException {
         RobotModel educator = new Library(Path.of("no-files-here")).robot("educator");

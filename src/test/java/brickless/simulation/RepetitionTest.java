@@ -4,12 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import brickless.bench.BusyHost;
 import brickless.kernel.BackendChoice;
-import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import java.time.Duration;
 import java.util.List;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -20,17 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class RepetitionTest {
     private static final int REPETITIONS = 10;
     private static final Duration LENGTH = Duration.ofSeconds(20);
-    private static ExamplePrograms programs;
-
-    @BeforeAll
-    static void compile() throws ProgramException {
-        programs = ExamplePrograms.compiled();
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
-    }
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
 
     static List<BackendChoice> backends() {
         return RetentionTest.backends();

@@ -13,7 +13,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -26,7 +26,7 @@ class ReportPageTest {
     private static final int SECONDS = 16;
 
     @TempDir static Path folder;
-    private static Browser browser;
+    @AutoClose private static Browser browser;
     private static TraceTruth truth;
 
     @BeforeAll
@@ -41,13 +41,6 @@ class ReportPageTest {
         }
         truth = new TraceTruth(folder);
         browser = new Browser(1280, 720);
-    }
-
-    @AfterAll
-    static void closeTheBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     private static ReportPage open(String fragment) {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import brickless.kernel.BackendChoice;
-import brickless.program.ProgramException;
 import brickless.world.DescriptionException;
 import java.lang.management.ManagementFactory;
 import java.lang.ref.WeakReference;
@@ -17,8 +16,7 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,17 +30,7 @@ class RetentionTest {
     private static final int RUNS = Integer.getInteger("brickless.leakRuns", 40);
     private static final int WARM_UP = RUNS / 4;
     private static final long PATIENCE_MILLIS = 30_000;
-    private static ExamplePrograms programs;
-
-    @BeforeAll
-    static void compile() throws ProgramException {
-        programs = ExamplePrograms.compiled();
-    }
-
-    @AfterAll
-    static void removeClasses() {
-        programs.close();
-    }
+    @AutoClose private static final ExamplePrograms programs = ExamplePrograms.compiled();
 
     static List<BackendChoice> backends() {
         return BackendChoice.continuationsAvailable() ? List.of(BackendChoice.THREADS, BackendChoice.CONTINUATIONS)

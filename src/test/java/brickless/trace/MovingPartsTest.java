@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -27,16 +27,11 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("browser")
 class MovingPartsTest {
     @TempDir static Path folder;
-    private static Browser browser;
+    @AutoClose private static Browser browser;
 
     @BeforeAll
     static void startTheBrowser() {
         browser = new Browser(1280, 720);
-    }
-
-    @AfterAll
-    static void closeTheBrowser() {
-        browser.close();
     }
 
     private static void open(String robot, int second) throws Exception {

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -27,16 +27,11 @@ class ReportContentTest {
             + "<image href=\"file:///etc/hostname\" width=\"9\" height=\"9\"/></svg>";
 
     @TempDir static Path folder;
-    private static Browser browser;
+    @AutoClose private static Browser browser;
 
     @BeforeAll
     static void startTheBrowser() {
         browser = new Browser(390, 844);
-    }
-
-    @AfterAll
-    static void closeTheBrowser() {
-        browser.close();
     }
 
     private static Path page(String name, ReportScene scene, Object... timesAndEvents) throws IOException {

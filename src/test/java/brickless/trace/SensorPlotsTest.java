@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -25,16 +25,11 @@ class SensorPlotsTest {
     private static final long SAMPLE_NANOS = 50_000_000;
 
     @TempDir static Path folder;
-    private static Browser browser;
+    @AutoClose private static Browser browser;
 
     @BeforeAll
     static void startTheBrowser() {
         browser = new Browser(1280, 720);
-    }
-
-    @AfterAll
-    static void closeTheBrowser() {
-        browser.close();
     }
 
     /** Opens the report of a run in which one sensor, in some mode, sent these values, one after the other. */

@@ -1,26 +1,22 @@
 package brickless.viewer;
 
 import brickless.browser.Browser;
-import java.util.Arrays;
+import brickless.browser.ShownRobot;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.openqa.selenium.WebElement;
 
 /** The live page as a person sees it and touches it. */
 final class LivePageInBrowser {
-    private static final String ROBOT = "document.querySelector('.layer.robot').shadowRoot"
-            + ".querySelector('[data-robot-name]').getAttribute('transform')";
-    private static final String LCD = "(() => { const c = document.querySelector('canvas.lcd'); const d = "
-            + "c.getContext('2d').getImageData(0, 0, 178, 128).data;"
-            + " let text = ''; for (let i = 0; i < d.length; i += 4) { text += d[i] < 100 ? '#' : '.'; } return "
-            + "text; })()";
     private static final String LINES =
             "[...document.querySelectorAll('#list-console .row-text')].map((row) => row.textContent)";
 
     private final Browser browser;
+    private final ShownRobot robot;
 
     LivePageInBrowser(Browser browser, LiveView view) {
         this.browser = browser;
+        robot = new ShownRobot(browser);
         browser.visit(view.address().toString());
     }
 
@@ -64,12 +60,11 @@ final class LivePageInBrowser {
 
     /** x, y in millimetres and heading in degrees of the drawn robot. */
     double[] pose() {
-        String numbers = ((String) browser.value(ROBOT)).replaceAll("[^-0-9. ]", " ").strip();
-        return Arrays.stream(numbers.split("\\s+")).mapToDouble(Double::parseDouble).toArray();
+        return robot.pose();
     }
 
     void awaitPose(String condition) {
-        browser.await("((x, y, heading) => " + condition + ")(..." + ROBOT + ".match(/-?[0-9.]+/g).map(Number))");
+        robot.awaitPose(condition);
     }
 
     /** Millimetres in one pixel of the arena. */
@@ -78,7 +73,7 @@ final class LivePageInBrowser {
     }
 
     String pixels() {
-        return (String) browser.value(LCD);
+        return robot.pixels();
     }
 
     WebElement element(String selector) {

@@ -13,8 +13,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -28,20 +28,13 @@ class LiveViewPageTest {
     private static final Duration LONG = Duration.ofHours(10);
 
     @TempDir Path folder;
-    private static Browser browser;
+    @AutoClose private static Browser browser;
     private PadSource source;
     private LiveView view;
 
     @BeforeAll
     static void openTheBrowser() {
         browser = new Browser(1280, 720);
-    }
-
-    @AfterAll
-    static void closeTheBrowser() {
-        if (browser != null) {
-            browser.close();
-        }
     }
 
     @BeforeEach

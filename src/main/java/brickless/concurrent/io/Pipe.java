@@ -5,12 +5,12 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.concurrent.TimeUnit;
 
-/** The bookkeeping of a pipe: a ring of places, who reads and who writes. Guarded by its own monitor. */
+/** A pipe: a ring of bytes or chars, who reads and who writes. Guarded by its own monitor. */
 final class Pipe {
     /** How often a blocked thread looks whether the thread at the other end is still alive. */
     private static final long LOOK_MILLIS = 1000;
 
-    private final int capacity;
+    private final char[] ring;
     private int start;
     private int filled;
     private boolean connected;
@@ -23,7 +23,7 @@ final class Pipe {
         if (capacity <= 0) {
             throw new IllegalArgumentException("Pipe Size <= 0");
         }
-        this.capacity = capacity;
+        ring = new char[capacity];
     }
 
     synchronized void connect() throws IOException {
@@ -33,18 +33,20 @@ final class Pipe {
         connected = true;
     }
 
-    /** Waits for a free place and returns its index; {@link #written} must follow, in the same synchronized block. */
-    synchronized int awaitPlace() throws IOException {
+    /** Waits for a free place and fills it. */
+    synchronized void write(char value) throws IOException {
         writer = Thread.currentThread();
         requireOpen();
-        while (filled == capacity) {
+        while (filled == ring.length) {
             if (reader != null && !reader.isAlive()) {
                 throw new IOException("Pipe broken");
             }
             pause();
             requireOpen();
         }
-        return (start + filled) % capacity;
+        ring[(start + filled) % ring.length] = value;
+        filled++;
+        notifyAll();
     }
 
     private void requireOpen() throws IOException {
@@ -57,17 +59,8 @@ final class Pipe {
         }
     }
 
-    /** The place that was awaited has been filled. */
-    synchronized void written() {
-        filled++;
-        notifyAll();
-    }
-
-    /**
-     * Waits for a filled place and returns its index, or -1 at the end; {@link #read} must follow, in the same
-     * synchronized block.
-     */
-    synchronized int awaitContent() throws IOException {
+    /** Waits for a filled place and empties it: what was in it, or -1 at the end. */
+    synchronized int read() throws IOException {
         reader = Thread.currentThread();
         requireReadable();
         while (filled == 0) {
@@ -80,7 +73,11 @@ final class Pipe {
             pause();
             requireReadable();
         }
-        return start;
+        char value = ring[start];
+        start = (start + 1) % ring.length;
+        filled--;
+        notifyAll();
+        return value;
     }
 
     private void requireReadable() throws IOException {
@@ -94,13 +91,6 @@ final class Pipe {
         if (!connected) {
             throw new IOException("Pipe not connected");
         }
-    }
-
-    /** The place that was awaited has been emptied. */
-    synchronized void read() {
-        start = (start + 1) % capacity;
-        filled--;
-        notifyAll();
     }
 
     private void pause() throws IOException {
@@ -133,7 +123,7 @@ final class Pipe {
         notifyAll();
     }
 
-    /** Tells the reader to look; IOException for a writer that is closed. */
+    /** Tells the reader to look. */
     synchronized void flush() {
         notifyAll();
     }

@@ -10,7 +10,6 @@ public class PipedInputStream extends InputStream {
     protected static final int PIPE_SIZE = 1024;
 
     private final Pipe pipe;
-    private final byte[] ring;
 
     /** Creates a stream that reads what is written to {@code src}. */
     public PipedInputStream(PipedOutputStream src) throws IOException {
@@ -31,7 +30,6 @@ public class PipedInputStream extends InputStream {
     /** Creates a stream that is not connected yet, with room for that much. */
     public PipedInputStream(int pipeSize) {
         pipe = new Pipe(pipeSize);
-        ring = new byte[pipeSize];
     }
 
     /** Connects both ends; IOException if either is connected. */
@@ -45,23 +43,12 @@ public class PipedInputStream extends InputStream {
 
     /** Stores what the other end writes, waiting for room. */
     protected void receive(int b) throws IOException {
-        synchronized (pipe) {
-            ring[pipe.awaitPlace()] = (byte) b;
-            pipe.written();
-        }
+        pipe.write((char) (b & 0xff));
     }
 
     @Override
     public int read() throws IOException {
-        synchronized (pipe) {
-            int place = pipe.awaitContent();
-            if (place < 0) {
-                return -1;
-            }
-            int value = ring[place] & 0xff;
-            pipe.read();
-            return value;
-        }
+        return pipe.read();
     }
 
     /** Waits for the first byte, then reads what is there. */

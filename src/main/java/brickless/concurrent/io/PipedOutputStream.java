@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /** {@code java.io.PipedOutputStream} on virtual monitors. */
 public class PipedOutputStream extends OutputStream {
-    private volatile PipedInputStream sink;
+    private final WritingEnd<PipedInputStream> end = new WritingEnd<>();
 
     /** Creates a stream that writes to {@code snk}. */
     public PipedOutputStream(PipedInputStream snk) throws IOException {
@@ -18,31 +18,20 @@ public class PipedOutputStream extends OutputStream {
     }
 
     /** Connects both ends; IOException if either is connected. */
-    public synchronized void connect(PipedInputStream snk) throws IOException {
-        if (sink != null) {
-            throw new IOException("Already connected");
-        }
-        snk.pipe().connect();
-        sink = snk;
-    }
-
-    private PipedInputStream sink() throws IOException {
-        if (sink == null) {
-            throw new IOException("Pipe not connected");
-        }
-        return sink;
+    public void connect(PipedInputStream snk) throws IOException {
+        end.connect(snk, snk.pipe());
     }
 
     /** Waits for room. */
     @Override
     public void write(int b) throws IOException {
-        sink().receive(b);
+        end.reader().receive(b);
     }
 
     /** Waits for room. */
     @Override
     public void write(byte[] b, int off, int len) throws IOException {
-        PipedInputStream target = sink();
+        PipedInputStream target = end.reader();
         Objects.checkFromIndexSize(off, len, b.length);
         for (int i = off; i < off + len; i++) {
             target.receive(b[i]);
@@ -51,15 +40,11 @@ public class PipedOutputStream extends OutputStream {
 
     @Override
     public void flush() throws IOException {
-        if (sink != null) {
-            sink.pipe().flush();
-        }
+        end.flush();
     }
 
     @Override
     public void close() throws IOException {
-        if (sink != null) {
-            sink.pipe().closeWriter();
-        }
+        end.close();
     }
 }

@@ -9,7 +9,6 @@ public class PipedReader extends Reader {
     private static final int PIPE_SIZE = 1024;
 
     private final Pipe pipe;
-    private final char[] ring;
 
     /** Creates a stream that reads what is written to {@code src}. */
     public PipedReader(PipedWriter src) throws IOException {
@@ -30,7 +29,6 @@ public class PipedReader extends Reader {
     /** Creates a stream that is not connected yet, with room for that much. */
     public PipedReader(int pipeSize) {
         pipe = new Pipe(pipeSize);
-        ring = new char[pipeSize];
     }
 
     /** Connects both ends; IOException if either is connected. */
@@ -44,23 +42,12 @@ public class PipedReader extends Reader {
 
     /** Stores what the other end writes, waiting for room. */
     void receive(int c) throws IOException {
-        synchronized (pipe) {
-            ring[pipe.awaitPlace()] = (char) c;
-            pipe.written();
-        }
+        pipe.write((char) c);
     }
 
     @Override
     public int read() throws IOException {
-        synchronized (pipe) {
-            int place = pipe.awaitContent();
-            if (place < 0) {
-                return -1;
-            }
-            int value = ring[place];
-            pipe.read();
-            return value;
-        }
+        return pipe.read();
     }
 
     /** Waits for the first char, then reads what is there. */

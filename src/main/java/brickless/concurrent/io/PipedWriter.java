@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /** {@code java.io.PipedWriter} on virtual monitors. */
 public class PipedWriter extends Writer {
-    private volatile PipedReader sink;
+    private final WritingEnd<PipedReader> end = new WritingEnd<>();
 
     /** Creates a stream that writes to {@code snk}. */
     public PipedWriter(PipedReader snk) throws IOException {
@@ -18,31 +18,20 @@ public class PipedWriter extends Writer {
     }
 
     /** Connects both ends; IOException if either is connected. */
-    public synchronized void connect(PipedReader snk) throws IOException {
-        if (sink != null) {
-            throw new IOException("Already connected");
-        }
-        snk.pipe().connect();
-        sink = snk;
-    }
-
-    private PipedReader sink() throws IOException {
-        if (sink == null) {
-            throw new IOException("Pipe not connected");
-        }
-        return sink;
+    public void connect(PipedReader snk) throws IOException {
+        end.connect(snk, snk.pipe());
     }
 
     /** Waits for room. */
     @Override
     public void write(int c) throws IOException {
-        sink().receive(c);
+        end.reader().receive(c);
     }
 
     /** Waits for room. */
     @Override
     public void write(char[] cbuf, int off, int len) throws IOException {
-        PipedReader target = sink();
+        PipedReader target = end.reader();
         Objects.checkFromIndexSize(off, len, cbuf.length);
         for (int i = off; i < off + len; i++) {
             target.receive(cbuf[i]);
@@ -51,15 +40,11 @@ public class PipedWriter extends Writer {
 
     @Override
     public void flush() throws IOException {
-        if (sink != null) {
-            sink.pipe().flush();
-        }
+        end.flush();
     }
 
     @Override
     public void close() throws IOException {
-        if (sink != null) {
-            sink.pipe().closeWriter();
-        }
+        end.close();
     }
 }

@@ -1,2 +1,2 @@
-/** What drivers of third-party devices have in common. Uses {@code lejos.hardware} and the JDK. */
+/** What drivers of third-party devices have in common. May use: the JDK. */
 package lejos.hardware.device;

@@ -1,2 +1,5 @@
-/** The EV3 that a program runs on. May use: {@code brickless.hardware}, the JDK. */
+/**
+ * The EV3 that a program runs on. May use: {@code lejos.hardware}, {@code lejos.internal.ev3},
+ * {@code brickless.hardware}, the JDK.
+ */
 package lejos.hardware.ev3;

@@ -45,7 +45,7 @@ public class EV3ColorSensor extends UARTSensor implements LampController, ColorI
     /** Sets the modes. */
     protected void initModes() {
         setModes(new SensorMode[] {
-            new ColorIDMode(),
+            new ColorIDMode(this),
             new PercentMode("Red", COL_REFLECT),
             new RGBMode(),
             new PercentMode("Ambient", COL_AMBIENT)});
@@ -141,23 +141,6 @@ public class EV3ColorSensor extends UARTSensor implements LampController, ColorI
     /** Mode "RGB": red, green and blue, 0 to 1, not white-balanced. */
     public SensorMode getRGBMode() {
         return getMode(2);
-    }
-
-    private final class ColorIDMode implements SensorMode {
-        @Override
-        public int sampleSize() {
-            return 1;
-        }
-
-        @Override
-        public void fetchSample(float[] sample, int offset) {
-            sample[offset] = getColorID();
-        }
-
-        @Override
-        public String getName() {
-            return "ColorID";
-        }
     }
 
     /** A mode whose device value is a percentage. */

@@ -30,7 +30,7 @@ public class NXTColorSensor extends AnalogSensor implements SensorConstants, Lam
     /** Sets the modes and switches all lamps on. */
     protected void init() {
         setModes(new SensorMode[] {
-            new ColorIDMode(),
+            new ColorIDMode(this),
             new ChannelMode("Red", TYPE_COLORRED, RED_INDEX, 1),
             new ChannelMode("Green", TYPE_COLORGREEN, GREEN_INDEX, 1),
             new ChannelMode("Blue", TYPE_COLORBLUE, BLUE_INDEX, 1),
@@ -153,23 +153,6 @@ public class NXTColorSensor extends AnalogSensor implements SensorConstants, Lam
         readFull();
         int id = Math.round(volts[ID_INDEX]);
         return id >= 0 && id < colorMap.length ? colorMap[id] : Color.NONE;
-    }
-
-    private final class ColorIDMode implements SensorMode {
-        @Override
-        public int sampleSize() {
-            return 1;
-        }
-
-        @Override
-        public void fetchSample(float[] sample, int offset) {
-            sample[offset] = getColorID();
-        }
-
-        @Override
-        public String getName() {
-            return "ColorID";
-        }
     }
 
     /** Some neighbouring channels, measured in one lamp mode. */

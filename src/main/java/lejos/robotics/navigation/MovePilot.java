@@ -288,8 +288,7 @@ public class MovePilot implements ArcRotateMoveController {
     /** What was done so far of the move in progress; a move of type STOP if there is none. */
     @Override
     public Move getMovement() {
-        Move progress = watch.progress();
-        return progress == null ? new Move(0, 0, false) : progress;
+        return watch.progress();
     }
 
     @Override

@@ -65,12 +65,12 @@ final class MoveWatch {
         return current != null;
     }
 
-    /** What was done of the move in progress, or of the one that listeners are being told of; else null. */
+    /** What was done of the move in progress, or of the one that listeners are being told of; else a STOP. */
     Move progress() {
         WatchedMove move;
         synchronized (this) {
             if (current == null) {
-                return stop == null ? null : stop.result();
+                return stop == null ? new Move(0, 0, false) : stop.result();
             }
             move = current;
         }

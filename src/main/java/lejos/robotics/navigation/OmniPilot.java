@@ -342,8 +342,7 @@ public class OmniPilot implements ArcRotateMoveController, RegulatedMotorListene
     /** What was done so far of the move in progress; a move of type STOP if there is none. */
     @Override
     public Move getMovement() {
-        Move progress = watch.progress();
-        return progress == null ? new Move(0, 0, false) : progress;
+        return watch.progress();
     }
 
     /** Does nothing: the pilot looks at its motors itself. */

@@ -161,11 +161,7 @@ public class DijkstraPathFinder implements PathFinder {
     /** Finds a path and tells the listeners; prints a line if there is none. */
     @Override
     public void startPathFinding(Pose start, Waypoint end) {
-        try {
-            listeners.tell(findRoute(start, end));
-        } catch (DestinationUnreachableException e) {
-            System.out.println("Destination " + end + " not reachable");
-        }
+        listeners.tellOrPrint(this, start, end);
     }
 
     private Node cheapestCandidate() throws DestinationUnreachableException {

@@ -167,11 +167,7 @@ public class ShortestPathFinder implements PathFinder {
     /** Finds a path and tells the listeners; prints a line if there is none. */
     @Override
     public void startPathFinding(Pose start, Waypoint end) {
-        try {
-            listeners.tell(findRoute(start, end));
-        } catch (DestinationUnreachableException e) {
-            System.out.println("Destination " + end + " not reachable");
-        }
+        listeners.tellOrPrint(this, start, end);
     }
 
     /** A place that the search has reached or may reach. */

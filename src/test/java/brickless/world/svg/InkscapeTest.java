@@ -6,7 +6,6 @@ import brickless.world.DescriptionException;
 import brickless.world.Obstacle;
 import brickless.world.Point2;
 import brickless.world.World;
-import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeAll;

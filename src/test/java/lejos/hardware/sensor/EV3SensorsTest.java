@@ -1,5 +1,6 @@
 package lejos.hardware.sensor;
 
+import static lejos.hardware.sensor.Samples.fetch;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -12,7 +13,6 @@ import lejos.hardware.AttachedBrick;
 import lejos.hardware.DeviceException;
 import lejos.hardware.port.SensorPort;
 import lejos.robotics.Color;
-import lejos.robotics.SampleProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,12 +25,6 @@ class EV3SensorsTest {
 
     @RegisterExtension
     final AttachedBrick brick = new AttachedBrick();
-
-    private static float[] fetch(SampleProvider source) {
-        float[] sample = new float[source.sampleSize()];
-        source.fetchSample(sample, 0);
-        return sample;
-    }
 
     private List<String> modes() {
         return brick.sensor(0).log().stream().filter(entry -> !entry.startsWith("expect")).toList();
