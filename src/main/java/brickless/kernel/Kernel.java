@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.files.BrickFiles;
 import brickless.kernel.hooks.Budget;
 import brickless.kernel.hooks.OwnedLock;
 import brickless.kernel.hooks.ProgramKilled;
@@ -39,6 +40,7 @@ public final class Kernel implements VirtualMachine, Processor {
     private final Identities identities;
     private final Streams streams = new Streams();
     private KernelListener listener = new KernelListener() { };
+    private BrickFiles files;
     private String backendName;
     private Turns turns;
     private Thread mainThread;
@@ -69,6 +71,11 @@ public final class Kernel implements VirtualMachine, Processor {
     /** Connects the counters that the program's rewritten code uses; before the run. */
     public void bind(Budget budget) {
         clock.bind(Objects.requireNonNull(budget, "budget"));
+    }
+
+    /** Gives the program files of its own; before the run. Without it uses those of the host. */
+    public void files(BrickFiles brickFiles) {
+        files = Objects.requireNonNull(brickFiles, "files");
     }
 
     /** Sets who hears what happens; before the run. */
@@ -362,6 +369,11 @@ public final class Kernel implements VirtualMachine, Processor {
     @Override
     public void setStreams(PrintStream out, PrintStream err, InputStream in) {
         streams.set(out, err, in);
+    }
+
+    @Override
+    public BrickFiles files() {
+        return files;
     }
 
     /** Makes ready to be switched to: {@link #resumePoint} is the main thread, which has not run. */
