@@ -219,12 +219,13 @@ public final class BrickFiles {
     }
 
     /** The program is over. */
-    public void end() throws FileSystemException {
+    public void end() {
         List<String> last = new ArrayList<>(deletedAtEnd);
         for (int i = last.size() - 1; i >= 0; i--) {
-            Entry entry = find(last.get(i));
+            List<String> names = Names.fromRoot(last.get(i));
+            Entry entry = find(names);
             if (entry instanceof Content || entry instanceof Folder && ((Folder) entry).entries.isEmpty()) {
-                delete(last.get(i));
+                unlink(names, entry);
             }
         }
         deletedAtEnd.clear();
@@ -297,14 +298,16 @@ public final class BrickFiles {
             content.resize(0);
             content.modifiedMillis = nowMillis();
         }
-        return new BrickFileChannel(this, content, mode, mode.deletesAtClose() ? () -> unlink(path, content) : () -> { });
+        return new BrickFileChannel(this, content, mode, mode.deletesAtClose() ? () -> unlink(Names.fromRoot(path), content) : () -> { });
     }
 
-    private void unlink(String path, Content content) {
-        List<String> names = Names.fromRoot(path);
-        if (find(names) == content) {
-            content.delete();
-            ((Folder) find(names.subList(0, names.size() - 1))).entries.remove(name(path));
+    private void unlink(List<String> names, Entry entry) {
+        if (!names.isEmpty() && find(names) == entry) {
+            Folder parent = (Folder) find(names.subList(0, names.size() - 1));
+            parent.entries.remove(names.get(names.size() - 1));
+            if (entry instanceof Content) {
+                ((Content) entry).delete();
+            }
         }
     }
 

@@ -1,11 +1,14 @@
 package brickless.simulation;
 
+import brickless.files.BrickFiles;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
 import java.util.Optional;
 
 /** One program of a run in virtual time: its kernel, its classes, and the robot it drives. */
 final class ProgramSession implements RobotSession.ProgramExit {
+    private static final long NANOS_PER_MILLI = 1_000_000;
+
     private final Kernel kernel;
     private final RobotSession robot;
     private final RobotRealm realm;
@@ -13,6 +16,10 @@ final class ProgramSession implements RobotSession.ProgramExit {
     ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, Optional<ProgramBody> body) {
         kernel = new Kernel(kernelSettings(settings, member.name(), stage.stepNanos()));
         robot = stage.enter(member, kernel, member.fitted() || body.isPresent(), this);
+        BrickFiles files = new BrickFiles(() -> kernel.settings().epochMillis() + kernel.nowNanos() / NANOS_PER_MILLI);
+        new Upload(files, settings).put(member.folder());
+        kernel.files(files);
+        robot.carry(files);
         realm = new RobotRealm(member.program(), kernel, robot.brick(robot.console()), body);
     }
 

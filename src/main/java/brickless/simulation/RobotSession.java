@@ -3,6 +3,7 @@ package brickless.simulation;
 import brickless.device.RobotDevices;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
+import brickless.files.BrickFiles;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.ProgramLog;
 import brickless.kernel.Processor;
@@ -30,6 +31,7 @@ final class RobotSession {
     private final SensorModes modes;
     private final ProgramExit end;
     private Optional<String> guesses = Optional.empty();
+    private Optional<BrickFiles> files = Optional.empty();
     private boolean poweredOff;
 
     /**
@@ -73,6 +75,16 @@ final class RobotSession {
     /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
     BrickHardware brick(ProgramLog log) {
         return new VirtualBrick("EV3", devices, panel, log);
+    }
+
+    /** The brick has files of its own. */
+    void carry(BrickFiles brickFiles) {
+        files = Optional.of(brickFiles);
+    }
+
+    /** The brick's own files, if the program does not use those of the host. */
+    Optional<BrickFiles> files() {
+        return files;
     }
 
     String name() {
@@ -158,6 +170,7 @@ final class RobotSession {
     void finish() {
         panel.screen().settle();
         console.finish();
+        files.ifPresent(BrickFiles::end);
     }
 
     List<String> notes() {
@@ -174,6 +187,7 @@ final class RobotSession {
         if (panel.automaticPresses() > 0) {
             notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
         }
+        files.flatMap(WrittenFiles::describe).ifPresent(notes::add);
         return notes;
     }
 }
