@@ -34,6 +34,7 @@ public final class BrickFiles {
     private static final List<String> FOLDERS = List.of(WORKING_FOLDER, "/home/lejos/lib", "/home/lejos/samples",
             "/home/root/lejos", "/tmp");
 
+    private final long startMillis;
     private final LongSupplier clockMillis;
     private final Card card = new Card(CAPACITY_BYTES);
     private final Folder root;
@@ -44,11 +45,13 @@ public final class BrickFiles {
     /**
      * An empty brick.
      *
-     * @param clockMillis the program's clock, which gives files their dates
+     * @param startMillis what the program's clock shows at its start: the date of what is on the brick then
+     * @param clockMillis the program's clock, asked while the program runs
      */
-    public BrickFiles(LongSupplier clockMillis) {
+    public BrickFiles(long startMillis, LongSupplier clockMillis) {
+        this.startMillis = startMillis;
         this.clockMillis = clockMillis;
-        root = new Folder(nowMillis());
+        root = new Folder(startMillis);
         FOLDERS.forEach(this::makeFolders);
     }
 
@@ -76,18 +79,18 @@ public final class BrickFiles {
         return Names.canonical(path);
     }
 
-    /** Puts a file of the host, of at most {@link #CAPACITY_BYTES}, on the brick; missing folders are made. */
+    /** Puts a file of the host, of at most {@link #CAPACITY_BYTES}, on the brick before the program starts; missing folders are made. */
     public void put(String path, Path original, long sizeBytes) {
         List<String> names = Names.fromRoot(path);
         Folder folder = makeFolders("/" + String.join("/", names.subList(0, names.size() - 1)));
-        Content content = Content.of(original, Math.toIntExact(sizeBytes), card, nowMillis());
+        Content content = Content.of(original, Math.toIntExact(sizeBytes), card, startMillis);
         folder.entries.put(names.get(names.size() - 1), content);
     }
 
     private Folder makeFolders(String path) {
         Folder folder = root;
         for (String name : Names.fromRoot(path)) {
-            folder = (Folder) folder.entries.computeIfAbsent(name, absent -> new Folder(nowMillis()));
+            folder = (Folder) folder.entries.computeIfAbsent(name, absent -> new Folder(startMillis));
         }
         return folder;
     }

@@ -16,7 +16,8 @@ final class ProgramSession implements RobotSession.ProgramExit {
     ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, Optional<ProgramBody> body) {
         kernel = new Kernel(kernelSettings(settings, member.name(), stage.stepNanos()));
         robot = stage.enter(member, kernel, member.fitted() || body.isPresent(), this);
-        BrickFiles files = new BrickFiles(() -> kernel.settings().epochMillis() + kernel.nowNanos() / NANOS_PER_MILLI);
+        long epochMillis = kernel.settings().epochMillis();
+        BrickFiles files = new BrickFiles(epochMillis, () -> epochMillis + kernel.nowNanos() / NANOS_PER_MILLI);
         new Upload(files, settings).put(member.folder());
         kernel.files(files);
         robot.carry(files);

@@ -24,6 +24,7 @@ public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable
         StandardOpenOption.CREATE};
 
     private final FileChannel channel;
+    private final boolean writable;
     private final FileDescriptor descriptor = new FileDescriptor();
     private final DataInputStream in = new DataInputStream(new Input());
     private final DataOutputStream out = new DataOutputStream(new Output());
@@ -35,6 +36,7 @@ public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable
      */
     public ProgramRandomAccessFile(String name, String mode) throws FileNotFoundException {
         channel = FileHooks.open(name, options(mode));
+        writable = !mode.equals("r");
     }
 
     /** Opens a file; see {@link #ProgramRandomAccessFile(String, String)}. */
@@ -61,6 +63,13 @@ public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable
             throw new IOException("Stream Closed");
         }
         return channel;
+    }
+
+    private FileChannel openToWrite() throws IOException {
+        if (!writable) {
+            throw new IOException("Bad file descriptor");
+        }
+        return open();
     }
 
     /** A descriptor, good for {@code sync} only. */
@@ -93,7 +102,7 @@ public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable
 
     /** Cuts the file, or extends it with zeros. */
     public void setLength(long length) throws IOException {
-        if (length <= open().size()) {
+        if (length <= openToWrite().size()) {
             channel.truncate(length);
             return;
         }
@@ -128,7 +137,7 @@ public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable
     @Override
     public void write(byte[] bytes, int offset, int length) throws IOException {
         for (ByteBuffer buffer = ByteBuffer.wrap(bytes, offset, length); buffer.hasRemaining();) {
-            open().write(buffer);
+            openToWrite().write(buffer);
         }
     }
 
