@@ -6,14 +6,17 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The files that programs wrote, in the folder of the run: {@code files/} for the first robot, {@code files-NAME/} for others. What lies
@@ -24,6 +27,7 @@ final class WrittenFiles {
     private static final String LIST = "files.tsv";
     private static final String HOME = BrickFiles.WORKING_FOLDER + "/";
     private static final int MOST_NAMES = 10;
+    private static final int LONGEST_NAME = 200;
 
     private final RunFolder folder;
     private final List<String> lines = new ArrayList<>();
@@ -75,10 +79,26 @@ final class WrittenFiles {
         }
     }
 
-    /** Every host can have the file: other signs than harmless ones are replaced. */
+    /** A name that any host can have: odd signs are replaced, and long words cut. */
     private static String hostName(String path) {
         String name = path.startsWith(HOME) ? path.substring(HOME.length()) : "brick" + path;
-        return name.replaceAll("[\\\\:*?\"<>|\\p{Cntrl}]", "_");
+        return Arrays.stream(name.split("/")).map(WrittenFiles::hostWord).collect(Collectors.joining("/"));
+    }
+
+    private static String hostWord(String word) {
+        String plain = word.replaceAll("[\\\\:*?\"<>|\\p{Cntrl}]", "_");
+        boolean fits = plain.getBytes(StandardCharsets.UTF_8).length <= LONGEST_NAME && isPossible(plain);
+        String ascii = fits ? plain : plain.replaceAll("[^ -~]", "_");
+        return ascii.substring(0, Math.min(ascii.length(), LONGEST_NAME));
+    }
+
+    /** Some hosts are set up for few letters. */
+    private static boolean isPossible(String name) {
+        try {
+            return !Path.of(name).toString().isEmpty();
+        } catch (InvalidPathException unknownLetters) {
+            return false;
+        }
     }
 
     /** Hosts may take names for the same that the brick distinguishes. */

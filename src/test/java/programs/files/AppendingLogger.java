@@ -21,6 +21,7 @@ public class AppendingLogger {
         try (PrintWriter writer = new PrintWriter(new FileWriter(log, true))) {
             writer.println(System.currentTimeMillis() + " " + Motor.B.getTachoCount());
         }
+        Delay.msDelay(100);
         System.out.println("lines " + lines(log));
     }
 
