@@ -28,7 +28,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Leads {@code java.nio.file.Files} to {@link BrickFiles}. Attributes asked for when a file is made are ignored: root may all. */
+/**
+ * Leads {@code java.nio.file.Files} to {@link BrickFiles}. Attributes asked for when a file is made are ignored: root
+ * may all.
+ */
 final class BrickFileSystemProvider extends FileSystemProvider {
     private final BrickFileSystem fileSystem;
 
@@ -173,7 +176,8 @@ final class BrickFileSystemProvider extends FileSystemProvider {
     @Override
     public void setAttribute(Path path, String name, Object value, LinkOption... options) throws IOException {
         if (!basic(name).equals("lastModifiedTime")) {
-            throw new UnsupportedOperationException("attribute " + name + " of a simulated brick's files cannot be set");
+            throw new UnsupportedOperationException("attribute " + name
+                    + " of a simulated brick's files cannot be set");
         }
         files().setModifiedMillis(text(path), ((FileTime) value).toMillis());
     }

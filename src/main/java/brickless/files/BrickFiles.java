@@ -28,7 +28,9 @@ import java.util.function.LongSupplier;
 public final class BrickFiles {
     /** Where programs lie and relative names begin. */
     public static final String WORKING_FOLDER = "/home/lejos/programs";
-    /** Room for what a program writes. Assumption: more than any measured program needs, little enough for many runs. */
+    /**
+     * Room for what a program writes. Assumption: more than any measured program needs, little enough for many runs.
+     */
     public static final long CAPACITY_BYTES = 64L << 20;
 
     private static final List<String> FOLDERS = List.of(WORKING_FOLDER, "/home/lejos/lib", "/home/lejos/samples",
@@ -79,7 +81,10 @@ public final class BrickFiles {
         return Names.canonical(path);
     }
 
-    /** Puts a file of the host, of at most {@link #CAPACITY_BYTES}, on the brick before the program starts; missing folders are made. */
+    /**
+     * Puts a file of the host, of at most {@link #CAPACITY_BYTES}, on the brick before the program starts; missing
+     * folders are made.
+     */
     public void put(String path, Path original, long sizeBytes) {
         List<String> names = Names.fromRoot(path);
         Folder folder = makeFolders("/" + String.join("/", names.subList(0, names.size() - 1)));
@@ -301,7 +306,8 @@ public final class BrickFiles {
             content.resize(0);
             content.modifiedMillis = nowMillis();
         }
-        return new BrickFileChannel(this, content, mode, mode.deletesAtClose() ? () -> unlink(Names.fromRoot(path), content) : () -> { });
+        return new BrickFileChannel(this, content, mode, mode.deletesAtClose()
+                ? () -> unlink(Names.fromRoot(path), content) : () -> { });
     }
 
     private void unlink(List<String> names, Entry entry) {

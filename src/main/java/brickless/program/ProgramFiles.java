@@ -15,7 +15,8 @@ public final class ProgramFiles {
     private ProgramFiles() {}
 
     /**
-     * Source files if the program was compiled, else class files or a jar; none for a class of the application's own class path.
+     * Source files if the program was compiled, else class files or a jar; none for a class of the application's own
+     * class path.
      *
      * @param directory directory that the program's name refers to
      * @throws ProgramException if they cannot be listed
@@ -36,7 +37,8 @@ public final class ProgramFiles {
     }
 
     /**
-     * The folder that a program lies in: what a user would put on the brick with it is there. Empty for a class of a class path.
+     * The folder that a program lies in: what a user would put on the brick with it is there. Empty for a class of a
+     * class path.
      *
      * @param directory directory that the program's name refers to
      */
@@ -48,7 +50,10 @@ public final class ProgramFiles {
         return Optional.ofNullable(Files.isDirectory(named) ? named : named.getParent());
     }
 
-    /** The named source and those that the compiler found beside it: every class of a file's own name came from that file. */
+    /**
+     * The named source and those that the compiler found beside it: every class of a file's own name came from that
+     * file.
+     */
     private static List<Path> sources(Path named, Path classes) throws IOException {
         Set<Path> files = new LinkedHashSet<>(List.of(named));
         for (Path root : SourceCompiler.rootsOf(List.of(named))) {
@@ -64,7 +69,8 @@ public final class ProgramFiles {
 
     private static List<Path> filesBelow(Path folder, String ending) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
-            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file))
+                    .sorted().toList();
         }
     }
 }

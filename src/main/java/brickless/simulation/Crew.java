@@ -18,7 +18,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Who takes part in a run: every robot of the world with its model, start pose and program. Programs that the world names are found, and
+ * Who takes part in a run: every robot of the world with its model, start pose and program. Programs that the world
+ * names are found, and
  * compiled where needed, for this run; {@link #close} removes what was compiled.
  */
 final class Crew implements AutoCloseable {
@@ -66,20 +67,23 @@ final class Crew implements AutoCloseable {
             RobotModel model = fitted ? RobotFitter.fit(hints(own)) : drawn(placement);
             String file = settings.worldFile().isEmpty() ? settings.world().name() + ".svg" : settings.worldFile();
             WorldCheck.placement(file, settings.world(), model, placement.start());
-            return new Member(placement.name(), model, placement.start(), own, fitted, ProgramFiles.folder(directory, own));
+            return new Member(placement.name(), model, placement.start(), own, fitted,
+                    ProgramFiles.folder(directory, own));
         } catch (DescriptionException | ProgramException e) {
             throw new SetupException(e.getMessage());
         }
     }
 
     private RobotModel drawn(Placement placement) throws DescriptionException {
-        return placement.model().isPresent() ? new Library(Path.of("")).modelOf(settings.worldFile(), placement.model().get())
+        return placement.model().isPresent() ? new Library(Path.of(""))
+                .modelOf(settings.worldFile(), placement.model().get())
                 : settings.robot().orElseThrow();
     }
 
     /** Programs that the world names lie beside it. */
     private Path worldFolder() {
-        return Optional.ofNullable(Path.of(settings.worldFile()).toAbsolutePath().getParent()).orElse(Path.of("").toAbsolutePath());
+        return Optional.ofNullable(Path.of(settings.worldFile()).toAbsolutePath().getParent())
+                .orElse(Path.of("").toAbsolutePath());
     }
 
     private Program find(Path folder, String name) throws ProgramException {

@@ -25,9 +25,11 @@ final class ProgramSession implements RobotSession.ProgramExit {
     }
 
     private static KernelSettings kernelSettings(SimulationSettings settings, String name, long stepNanos) {
-        KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed()).withStepNanos(stepNanos)
+        KernelSettings kernelSettings = KernelSettings.defaults().withName(name).withSeed(settings.seed())
+                .withStepNanos(stepNanos)
                 .withLimitNanos(settings.limit().toNanos()).withBackend(settings.backend());
-        return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed().getAsLong()) : kernelSettings;
+        return settings.scheduleSeed().isPresent() ? kernelSettings.withScheduleSeed(settings.scheduleSeed()
+                .getAsLong()) : kernelSettings;
     }
 
     Kernel kernel() {

@@ -8,7 +8,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 
-/** What can be seen of a robot from outside while the run is held or over. Angles in degrees, clockwise on the page; lengths in metres. */
+/**
+ * What can be seen of a robot from outside while the run is held or over. Angles in degrees, clockwise on the page;
+ * lengths in metres.
+ */
 public final class RobotView {
     private final RobotSession session;
 
@@ -77,7 +80,8 @@ public final class RobotView {
     }
 
     /**
-     * Names of the files that the program has made or changed on its brick so far, sorted: relative ones in the folder where programs start,
+     * Names of the files that the program has made or changed on its brick so far, sorted: relative ones in the folder
+     * where programs start,
      * else absolute. Empty in live mode, where the program uses the files of the host.
      */
     public List<String> filesWritten() {
@@ -90,7 +94,8 @@ public final class RobotView {
      * @throws IllegalArgumentException if there is no such file
      */
     public byte[] fileBytes(String name) {
-        BrickFiles files = session.files().orElseThrow(() -> new IllegalArgumentException("in live mode a program uses the files of the host"));
+        BrickFiles files = session.files()
+                .orElseThrow(() -> new IllegalArgumentException("in live mode a program uses the files of the host"));
         if (!files.isFile(name)) {
             throw new IllegalArgumentException("no file " + name + " on the brick of " + name() + "; written so far: "
                     + (filesWritten().isEmpty() ? "none" : String.join(", ", filesWritten())));

@@ -27,11 +27,13 @@ import java.util.OptionalLong;
  * @param backend how program threads are carried
  * @param console where the program's output is passed on as it is printed
  * @param out folder for the files of the run; empty: none are written
- * @param files folder whose content lies in every brick's working folder when the run begins; empty: only the files beside the program do
+ * @param files folder whose content lies in every brick's working folder when the run begins; empty: only the files
+ *     beside the program do
  */
-public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed, OptionalLong scheduleSeed,
-        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, boolean attended, List<Stimulus> stimuli,
-        BackendChoice backend, OutputStream console, Optional<Path> out, Optional<Path> files) {
+public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed,
+        OptionalLong scheduleSeed, Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons,
+        boolean attended, List<Stimulus> stimuli, BackendChoice backend, OutputStream console, Optional<Path> out,
+        Optional<Path> files) {
     public SimulationSettings {
         stimuli = List.copyOf(stimuli);
     }
@@ -43,8 +45,10 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
 
     /** A builder that starts from these settings. */
     public Builder toBuilder() {
-        Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit).goal(goal).ideal(ideal)
-                .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend).console(console).out(out).files(files);
+        Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit)
+                .goal(goal).ideal(ideal)
+                .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend)
+                .console(console).out(out).files(files);
         robot.ifPresent(builder::robot);
         return builder;
     }
@@ -157,8 +161,8 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
 
         /** The settings. */
         public SimulationSettings build() {
-            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons, attended, stimuli,
-                    backend, console, out, files);
+            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons,
+                    attended, stimuli, backend, console, out, files);
         }
     }
 }

@@ -9,7 +9,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Puts what the user has for a program on its brick, into the folder where programs start. The user's files are only read, when needed. */
+/**
+ * Puts what the user has for a program on its brick, into the folder where programs start. The user's files are only
+ * read, when needed.
+ */
 final class Upload {
     /** What a program is made of is not uploaded as it is. */
     private static final List<String> CODE = List.of(".java", ".class");
@@ -23,10 +26,9 @@ final class Upload {
     }
 
     /**
-     * Puts files on the brick.
+     * Puts the files beside a program on its brick, and over them all that {@link SimulationSettings#files} holds.
      *
-     * @param programFolder where the program lies: the files directly in it are put on the brick, those too large for it excepted; then
-     *     those of {@link SimulationSettings#files}, whatever that folder holds
+     * @param programFolder where the program lies: the files directly in it count, except those too large for a brick
      * @throws SetupException if they cannot be read, or are more than fit on the brick
      */
     void put(Optional<Path> programFolder) {
@@ -48,7 +50,8 @@ final class Upload {
 
     private static boolean belongsToProgram(Path file) {
         String name = file.getFileName().toString();
-        return !name.startsWith(".") && CODE.stream().noneMatch(name::endsWith) && Files.isRegularFile(file) && Files.isReadable(file);
+        return !name.startsWith(".") && CODE.stream().noneMatch(name::endsWith) && Files.isRegularFile(file)
+                && Files.isReadable(file);
     }
 
     private void all(Path folder) {
@@ -57,7 +60,8 @@ final class Upload {
             for (Path file : found.filter(file -> Files.isRegularFile(file) && !ofTheRun(file)).sorted().toList()) {
                 bytes += Files.size(file);
                 if (bytes > BrickFiles.CAPACITY_BYTES) {
-                    throw new SetupException(folder + ": holds more than the " + (BrickFiles.CAPACITY_BYTES >> 20) + " MiB that fit on the brick");
+                    throw new SetupException(folder + ": holds more than the " + (BrickFiles.CAPACITY_BYTES >> 20)
+                            + " MiB that fit on the brick");
                 }
                 put(folder, file);
             }
@@ -81,7 +85,8 @@ final class Upload {
             throw new SetupException(folder + ": " + (Files.exists(folder) ? "is no folder" : "no such folder")
                     + "; what it holds would be put on the brick");
         });
-        settings.files().filter(folder -> settings.out().filter(out -> absolute(folder).startsWith(absolute(out))).isPresent()).ifPresent(folder -> {
+        settings.files().filter(folder -> settings.out().filter(out -> absolute(folder).startsWith(absolute(out)))
+                .isPresent()).ifPresent(folder -> {
             throw new SetupException(folder + ": lies in the folder that this run writes, " + settings.out().get()
                     + "; copy it, or give another --out");
         });

@@ -19,8 +19,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The files that programs wrote, in the folder of the run: {@code files/} for the first robot, {@code files-NAME/} for others. What lies
- * outside of the folder where programs start is below {@code brick/} there. {@code files.tsv} lists them, so that the next run into the same
+ * The files that programs wrote, in the folder of the run: {@code files/} for the first robot, {@code files-NAME/} for
+ * others. What lies
+ * outside of the folder where programs start is below {@code brick/} there. {@code files.tsv} lists them, so that the
+ * next run into the same
  * folder can take them away.
  */
 final class WrittenFiles {
@@ -49,7 +51,8 @@ final class WrittenFiles {
             return Optional.empty();
         }
         List<String> words = written.entrySet().stream().limit(MOST_NAMES)
-                .map(file -> String.format(Locale.ROOT, "%s (%,d bytes)", shortName(file.getKey()), file.getValue())).toList();
+                .map(file -> String.format(Locale.ROOT, "%s (%,d bytes)", shortName(file.getKey()), file.getValue()))
+                .toList();
         int more = written.size() - words.size();
         return Optional.of("files written: " + String.join(", ", words) + (more > 0 ? " and " + more + " more" : ""));
     }

@@ -34,11 +34,13 @@ class FilesOptionTest {
     private Path program;
 
     @BeforeEach void writeTheProgram() throws IOException {
-        program = Files.writeString(Files.createDirectories(folder.resolve("program")).resolve("Learner.java"), LEARNER);
+        program = Files.writeString(Files.createDirectories(folder.resolve("program")).resolve("Learner.java"),
+                LEARNER);
     }
 
     private CommandLineRun run(Object... more) {
-        return CommandLineRun.of(Stream.concat(Stream.of("run", program, "--out", folder.resolve("out")), Stream.of(more)).toArray());
+        return CommandLineRun.of(Stream.concat(Stream.of("run", program, "--out", folder.resolve("out")),
+                Stream.of(more)).toArray());
     }
 
     @Test void whatAProgramWritesIsToldAndKept() {
@@ -68,10 +70,12 @@ class FilesOptionTest {
     @Test void aMissingFolderIsOneLineAndStatusTwo() throws IOException {
         CommandLineRun run = run("--files", folder.resolve("absent"));
         assertThat(run.status()).isEqualTo(2);
-        assertThat(run.err().lines()).containsExactly("brickless run: --files " + folder.resolve("absent") + ": no such folder");
+        assertThat(run.err().lines()).containsExactly("brickless run: --files " + folder.resolve("absent")
+                + ": no such folder");
         assertThat(folder.resolve("out")).doesNotExist();
         Path file = Files.writeString(folder.resolve("file"), "x");
-        assertThat(run("--files", file).err().lines()).containsExactly("brickless run: --files " + file + ": is no folder");
+        assertThat(run("--files", file).err().lines()).containsExactly("brickless run: --files " + file
+                + ": is no folder");
     }
 
     @Test void theFolderOfTheRunIsRefused() throws IOException {
@@ -84,7 +88,8 @@ class FilesOptionTest {
     @Test void runsOfASweepDoNotSeeEachOther() throws IOException {
         String[] lines = new String[3];
         for (int jobs = 1; jobs <= 2; jobs++) {
-            CommandLineRun sweep = CommandLineRun.of("sweep", program, "--seeds", "1..6", "--ideal", "--jobs", jobs, "--for", "3s");
+            CommandLineRun sweep = CommandLineRun.of("sweep", program, "--seeds", "1..6", "--ideal", "--jobs", jobs,
+                    "--for", "3s");
             assertThat(sweep.status()).isZero();
             lines[jobs] = sweep.out();
         }
@@ -103,6 +108,7 @@ class FilesOptionTest {
     @Test void theCommandThatRepeatsAFailureNamesTheFolder() throws IOException {
         Files.writeString(program, LEARNER.replace("System.out.println(", "throw new IOException("));
         Path before = Files.createDirectories(folder.resolve("before"));
-        assertThat(run("--files", before).err()).contains("run it again: brickless run " + program + " --files " + before);
+        assertThat(run("--files", before).err()).contains("run it again: brickless run " + program + " --files "
+                + before);
     }
 }

@@ -26,7 +26,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The tree of a brick's files, without a program. */
 class BrickFilesTest {
-    private static final OpenOption[] WRITE = {StandardOpenOption.WRITE, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING};
+    private static final OpenOption[] WRITE = {StandardOpenOption.WRITE, StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING};
 
     @TempDir Path host;
     private long now = 1000;
@@ -56,7 +57,8 @@ class BrickFilesTest {
 
     @Test void oneFileHasManyNames() throws IOException {
         write("a.txt", 1, 2);
-        for (String name : List.of("a.txt", "./a.txt", "/home/lejos/programs/a.txt", "../programs/a.txt", "/../home/lejos/./programs//a.txt")) {
+        for (String name : List.of("a.txt", "./a.txt", "/home/lejos/programs/a.txt", "../programs/a.txt",
+                "/../home/lejos/./programs//a.txt")) {
             assertThat(files.read(name)).as(name).containsExactly(1, 2);
         }
         assertThat(files.written()).containsExactly(Map.entry("/home/lejos/programs/a.txt", 2));
@@ -117,7 +119,8 @@ class BrickFilesTest {
     }
 
     @Test void aDeletedFileLivesOnForWhoHasItOpen() throws IOException {
-        try (FileChannel channel = files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE))) {
+        try (FileChannel channel = files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.READ,
+                StandardOpenOption.WRITE))) {
             channel.write(ByteBuffer.wrap(bytes(1, 2)));
             files.delete("a");
             channel.write(ByteBuffer.wrap(bytes(3)));
@@ -135,10 +138,12 @@ class BrickFilesTest {
         reader.close();
         assertThatThrownBy(() -> reader.read(ByteBuffer.allocate(1))).isInstanceOf(ClosedChannelException.class);
         try (FileChannel writer = files.open("a", Set.of(StandardOpenOption.WRITE))) {
-            assertThatThrownBy(() -> writer.read(ByteBuffer.allocate(1))).isInstanceOf(NonReadableChannelException.class);
+            assertThatThrownBy(() -> writer.read(ByteBuffer.allocate(1)))
+                    .isInstanceOf(NonReadableChannelException.class);
             assertThatThrownBy(() -> writer.position(-1)).isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(writer::lock).isInstanceOf(UnsupportedOperationException.class);
-            assertThatThrownBy(() -> writer.map(FileChannel.MapMode.READ_WRITE, 0, 1)).isInstanceOf(UnsupportedOperationException.class);
+            assertThatThrownBy(() -> writer.map(FileChannel.MapMode.READ_WRITE, 0, 1))
+                    .isInstanceOf(UnsupportedOperationException.class);
         }
         assertThatThrownBy(() -> files.open("a", Set.of(StandardOpenOption.APPEND, StandardOpenOption.READ)))
                 .isInstanceOf(IllegalArgumentException.class);
@@ -146,7 +151,8 @@ class BrickFilesTest {
 
     @Test void channelsCopyToEachOther() throws IOException {
         write("a", new int[20_000]);
-        try (FileChannel from = files.open("a", Set.of(StandardOpenOption.READ)); FileChannel to = files.open("b", Set.of(WRITE))) {
+        try (FileChannel from = files.open("a", Set.of(StandardOpenOption.READ)); FileChannel to =
+                files.open("b", Set.of(WRITE))) {
             assertThat(to.transferFrom(from, 0, Long.MAX_VALUE)).isEqualTo(20_000);
             assertThat(from.transferTo(19_990, 100, to)).isEqualTo(10);
         }
@@ -154,7 +160,8 @@ class BrickFilesTest {
     }
 
     @Test void aFileThatIsDeletedAtItsEndGoes() throws IOException {
-        files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE)).close();
+        files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+                StandardOpenOption.DELETE_ON_CLOSE)).close();
         assertThat(files.exists("a")).isFalse();
         files.createFolder("d");
         write("d/b", 1);
@@ -169,8 +176,10 @@ class BrickFilesTest {
         write("file", 1);
         files.createFolder("folder");
         write("folder/inside", 1);
-        assertThatThrownBy(() -> files.open("absent", Set.of(StandardOpenOption.READ))).isInstanceOf(NoSuchFileException.class).hasMessage("absent");
-        assertThatThrownBy(() -> files.open("folder", Set.of(WRITE))).isInstanceOf(FileSystemException.class).hasMessage("folder: Is a directory");
+        assertThatThrownBy(() -> files.open("absent", Set.of(StandardOpenOption.READ)))
+                .isInstanceOf(NoSuchFileException.class).hasMessage("absent");
+        assertThatThrownBy(() -> files.open("folder", Set.of(WRITE))).isInstanceOf(FileSystemException.class)
+                .hasMessage("folder: Is a directory");
         assertThatThrownBy(() -> files.open("file", Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)))
                 .isInstanceOf(FileAlreadyExistsException.class);
         assertThatThrownBy(() -> files.open("absent/file", Set.of(WRITE))).isInstanceOf(NoSuchFileException.class);
@@ -181,7 +190,8 @@ class BrickFilesTest {
         assertThatThrownBy(() -> files.delete("absent")).isInstanceOf(NoSuchFileException.class);
         assertThatThrownBy(() -> files.list("file")).isInstanceOf(NotDirectoryException.class);
         assertThatThrownBy(() -> files.copy("file", "folder", true)).isInstanceOf(DirectoryNotEmptyException.class);
-        assertThatThrownBy(() -> files.move("folder", "folder/inside/deeper", false)).hasMessageContaining("Invalid argument");
+        assertThatThrownBy(() -> files.move("folder", "folder/inside/deeper", false))
+                .hasMessageContaining("Invalid argument");
         assertThatThrownBy(() -> files.read("folder")).hasMessage("folder: Is a directory");
         assertThat(files.read("folder/inside")).as("untouched").containsExactly(1);
     }

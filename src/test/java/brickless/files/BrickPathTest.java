@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 
 /** Paths of a brick are put together and taken apart like those of any Linux, of which the host's are one example. */
 class BrickPathTest {
-    private static final List<String> TEXTS = List.of("", "/", "a", "a/b", "/a", "/a/b/c", "../a", "a/../b", "./a/.", "a//b/", "..", "/..", "b",
+    private static final List<String> TEXTS = List.of("", "/", "a", "a/b", "/a", "/a/b/c", "../a", "a/../b", "./a/.",
+            "a//b/", "..", "/..", "b",
             "a/b/c", "../../x", "a b.txt", ".hidden");
 
     private final BrickFiles files = new BrickFiles(0, () -> 0);
@@ -24,7 +25,8 @@ class BrickPathTest {
 
     private void sameAsTheHost(String what, Function<Path, Object> question) {
         for (String text : TEXTS) {
-            assertThat(text(question.apply(files.path(text)))).as(what + " of '" + text + "'").isEqualTo(text(question.apply(Path.of(text))));
+            assertThat(text(question.apply(files.path(text)))).as(what + " of '" + text + "'")
+                    .isEqualTo(text(question.apply(Path.of(text))));
         }
     }
 
@@ -56,7 +58,8 @@ class BrickPathTest {
             assertThat(brick.startsWith(two)).as(pair + "start").isEqualTo(host.startsWith(two));
             assertThat(brick.endsWith(two)).as(pair + "end").isEqualTo(host.endsWith(two));
             assertThat(brick.equals(files.path(two))).as(pair + "equal").isEqualTo(host.equals(Path.of(two)));
-            assertThat(Integer.signum(brick.compareTo(files.path(two)))).as(pair + "order").isEqualTo(Integer.signum(host.compareTo(Path.of(two))));
+            assertThat(Integer.signum(brick.compareTo(files.path(two)))).as(pair + "order")
+                    .isEqualTo(Integer.signum(host.compareTo(Path.of(two))));
         }
     }
 
@@ -68,7 +71,8 @@ class BrickPathTest {
             assertThat(text(files.path(one).relativize(files.path(two)))).as(i + ": from " + one + " to " + two)
                     .isEqualTo(text(Path.of(one).relativize(Path.of(two))));
         }
-        assertThatThrownBy(() -> files.path("/a").relativize(files.path("b"))).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> files.path("/a").relativize(files.path("b")))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test void relativePathsBeginWhereProgramsLie() {

@@ -47,7 +47,8 @@ class JdkCallTableTest {
     }
 
     private static void checkConverted(JdkCall call, Class<?> owner) throws ReflectiveOperationException {
-        Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.convertedDescriptor(), null).parameterArray();
+        Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.convertedDescriptor(), null)
+                .parameterArray();
         Executable target = call.name().equals("<init>") ? owner.getConstructor(parameters)
                 : owner.getMethod(call.name(), parameters);
         assertThat(target).isNotNull();

@@ -34,7 +34,8 @@ import programs.files.StreamsTour;
 /** Each robot of each run has files of its own; nothing of the host shows, and nothing there changes. */
 class ProgramFilesTest {
     private static final Library LIBRARY = new Library(Path.of("no-files-here"));
-    private static final List<Path> NAMES_OF_THE_PROGRAMS = Stream.of("drive.log", "a.txt", "data.bin", "log.txt", "table.bin", "host.txt", "new.txt",
+    private static final List<Path> NAMES_OF_THE_PROGRAMS =
+            Stream.of("drive.log", "a.txt", "data.bin", "log.txt", "table.bin", "host.txt", "new.txt",
             "small", "Case").map(Path::of).toList();
 
     @TempDir Path folder;
@@ -45,7 +46,8 @@ class ProgramFilesTest {
     }
 
     private SimulationSettings.Builder settings(World world) throws DescriptionException {
-        return SimulationSettings.builder(world).robot(LIBRARY.robot("educator")).limit(Duration.ofSeconds(20)).out(Optional.of(folder.resolve("run")));
+        return SimulationSettings.builder(world).robot(LIBRARY.robot("educator")).limit(Duration.ofSeconds(20))
+                .out(Optional.of(folder.resolve("run")));
     }
 
     private static Run run(Class<?> program, SimulationSettings settings) {
@@ -78,32 +80,43 @@ class ProgramFilesTest {
     }
 
     @Test void streamsReadersAndWritersFindWhatWasWritten() throws DescriptionException {
-        assertThat(printedBy(StreamsTour.class)).containsExactly("available 22", "1234567 2.5 été", "rest 789-1", "skipped 12, then 0, left 9",
+        assertThat(printedBy(StreamsTour.class)).containsExactly("available 22", "1234567 2.5 été", "rest 789-1",
+                "skipped 12, then 0, left 9",
                 "bytes 11 1", "1.3 ä|3.5|null", "1.3 ä 3.5", "ä", "printed, 4 of five", "[3, 1, 4] pi",
-                "nothing.txt (No such file or directory)", "/home/lejos/programs (Is a directory)", "/etc/passwd (No such file or directory)",
-                "no/such/folder.txt (No such file or directory)", "/data.bin/x (No such file or directory)", "Stream Closed",
+                "nothing.txt (No such file or directory)", "/home/lejos/programs (Is a directory)",
+                "/etc/passwd (No such file or directory)",
+                "no/such/folder.txt (No such file or directory)", "/data.bin/x (No such file or directory)",
+                "Stream Closed",
                 "to the console", "1;2.5;x");
     }
 
     @Test void foldersAreListedInOrderAndDatesAreTheProgramsOwn() throws DescriptionException {
         assertThat(printedBy(FolderTour.class)).containsExactly("sub/../log.txt log.txt sub/.. false",
-                "/home/lejos/programs/sub/../log.txt /home/lejos/programs/log.txt", "false true", "file:/home/lejos/programs/a true",
+                "/home/lejos/programs/sub/../log.txt /home/lejos/programs/log.txt", "false true",
+                "file:/home/lejos/programs/a true",
                 "false true", "/home/lejos/programs /home/root",
-                "false true false true", "100 truetruefalse", "Thu Jan 01 00:00:00 UTC 2015 true", "true 5000", "true false 100",
+                "false true false true", "100 truetruefalse", "Thu Jan 01 00:00:00 UTC 2015 true", "true 5000",
+                "true false 100",
                 "67108864 100", "/tmp/tmp1.dat true",
-                "false true false", "[10, 9, Apple, mango, zebra]", "[deep/er]", "[10, 9]", "[deep/er] null", "[lejos, root] [/]",
+                "false true false", "[10, 9, Apple, mango, zebra]", "[deep/er]", "[10, 9]", "[deep/er] null",
+                "[lejos, root] [/]",
                 "false true false", "true true false", "No such file or directory");
     }
 
     @Test void pathsLeadToTheSameFiles() throws DescriptionException {
-        assertThat(printedBy(PathsTour.class)).containsExactly("[one, zwölf, three] 17", "[written] written", "onezwölf",
-                "/home/lejos/programs/log.txt true true", "a a/b a/b/c a/b/c/y.csv a/b/c/z.txt a/b/x.txt", "[z.txt] truefalsefalse",
-                "2015-01-01T00:00:00.003Z true", "there: copy.txt", "false 17", "true false", "none: w.txt", "5 0", "[2, 3] 3 of 4",
-                "files of a simulated brick cannot be mapped into memory", "/tmp/t1.x /tmp/d2", "true", "false false", "true");
+        assertThat(printedBy(PathsTour.class)).containsExactly("[one, zwölf, three] 17", "[written] written",
+                "onezwölf",
+                "/home/lejos/programs/log.txt true true", "a a/b a/b/c a/b/c/y.csv a/b/c/z.txt a/b/x.txt",
+                "[z.txt] truefalsefalse",
+                "2015-01-01T00:00:00.003Z true", "there: copy.txt", "false 17", "true false", "none: w.txt", "5 0",
+                "[2, 3] 3 of 4",
+                "files of a simulated brick cannot be mapped into memory", "/tmp/t1.x /tmp/d2", "true",
+                "false false", "true");
     }
 
     @Test void randomAccessFilesAreReadAndWrittenAnywhere() throws DescriptionException {
-        assertThat(printedBy(RandomAccess.class)).containsExactly("9 1.5 at 48 of 60", "-1 44 line next ü xy -1", "6 0", "end of file",
+        assertThat(printedBy(RandomAccess.class)).containsExactly("9 1.5 at 48 of 60", "-1 44 line next ü xy -1",
+                "6 0", "end of file",
                 "IOException", "absent (No such file or directory)");
     }
 
@@ -112,9 +125,11 @@ class ProgramFilesTest {
     }
 
     @Test void otherProgramsAndFilesOfTheHostAreOutOfReach() throws DescriptionException {
-        assertThat(printedBy(OtherPrograms.class)).containsExactly("Cannot run program \"touch\": error=2, No such file or directory",
+        assertThat(printedBy(OtherPrograms.class))
+                .containsExactly("Cannot run program \"touch\": error=2, No such file or directory",
                 "Cannot run program \"touch\": error=2, No such file or directory",
-                "x.zip: this class of the JDK opens files by itself, which it cannot on a simulated brick; give it a stream, if it takes one");
+                "x.zip: this class of the JDK opens files by itself, which it cannot on a simulated brick; give it a "
+                + "stream, if it takes one");
     }
 
     @Test void everyRunHasAFreshBrick() throws DescriptionException {
@@ -141,9 +156,11 @@ class ProgramFilesTest {
         assertThat(folder.resolve("run/files/drive.log")).hasContent(run.robot().fileText("drive.log"));
         assertThat(run.robot().fileText("drive.log")).matches("1420070400\\d{3} \\d+\n");
         assertThat(run.robot().filesWritten()).containsExactly("drive.log");
-        assertThat(run.report().notes()).contains("files written: drive.log (" + run.robot().fileBytes("drive.log").length + " bytes)");
+        assertThat(run.report().notes()).contains("files written: drive.log (" + run.robot().fileBytes("drive.log")
+                .length + " bytes)");
         assertThat(folder.resolve("run/files.tsv")).hasContent("robot\tfile on the brick\tbytes\tfile here\n"
-                + "robot\t/home/lejos/programs/drive.log\t" + run.robot().fileBytes("drive.log").length + "\tfiles/drive.log\n");
+                + "robot\t/home/lejos/programs/drive.log\t" + run.robot().fileBytes("drive.log").length
+                + "\tfiles/drive.log\n");
     }
 
     @Test void aFileIsSeenWhileTheRunIsHeld() throws DescriptionException {
@@ -180,8 +197,10 @@ class ProgramFilesTest {
     }
 
     @Test void twoRobotsWriteFilesOfTheSameName() throws DescriptionException, IOException {
-        World world = SvgWorldReader.readText("two.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'>"
-                + "<g data-robot='left' transform='translate(500 500)'/><g data-robot='right' transform='translate(500 1500)'/></svg>");
+        World world = SvgWorldReader.readText("two.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'>"
+                + "<g data-robot='left' transform='translate(500 500)'/>"
+                + "<g data-robot='right' transform='translate(500 1500)'/></svg>");
         Run run = run(AppendingLogger.class, settings(world).build());
         assertThat(run.robots()).hasSize(2).allSatisfy(robot -> {
             assertThat(robot.printedLines()).containsExactly("lines 1");
@@ -197,7 +216,8 @@ class ProgramFilesTest {
         Files.createDirectories(gifts.resolve("maps"));
         Files.writeString(gifts.resolve("maps/room.svg"), "<svg/>");
         Run run = run(Gifts.class, settings().files(Optional.of(gifts)).build());
-        assertThat(run.robot().printedLines()).containsExactly("[greeting.txt, maps, unwanted.txt]", "hello", "[hello, and again]",
+        assertThat(run.robot().printedLines()).containsExactly("[greeting.txt, maps, unwanted.txt]", "hello",
+                "[hello, and again]",
                 "6 1420070400000", "true false", "sound -9");
         assertThat(inFolder("files")).as("only what is new").containsExactly("greeting.txt");
         assertThat(gifts.resolve("greeting.txt")).hasContent("hello\n");
@@ -228,9 +248,12 @@ class ProgramFilesTest {
         Files.writeString(Files.createDirectories(programs.resolve("sub")).resolve("deep.txt"), "x");
         Files.writeString(gifts.resolve("speed.txt"), "300");
         for (String name : List.of("Reader.java", ".")) {
-            try (Program program = new ProgramFinder(programs, List.of(), Optional.empty()).find(programs.resolve(name).toString())) {
-                assertThat(run(program, settings().build()).robot().printedLines()).as(name).containsExactly("song.wav speed.txt", "250");
-                assertThat(run(program, settings().files(Optional.of(gifts)).build()).robot().printedLines()).as(name + " and --files")
+            try (Program program = new ProgramFinder(programs, List.of(), Optional.empty())
+                    .find(programs.resolve(name).toString())) {
+                assertThat(run(program, settings().build()).robot().printedLines()).as(name)
+                        .containsExactly("song.wav speed.txt", "250");
+                assertThat(run(program, settings().files(Optional.of(gifts)).build()).robot().printedLines())
+                        .as(name + " and --files")
                         .containsExactly("song.wav speed.txt", "300");
             }
         }
@@ -239,13 +262,15 @@ class ProgramFilesTest {
     @Test void aFolderForTheBrickMustBeOneAndNotThatOfTheRun() throws DescriptionException, IOException {
         Path absent = gifts.resolve("absent");
         assertThatThrownBy(() -> new Simulation(settings().files(Optional.of(absent)).build()).start(Gifts.class))
-                .isInstanceOf(SetupException.class).hasMessage(absent + ": no such folder; what it holds would be put on the brick");
+                .isInstanceOf(SetupException.class).hasMessage(absent
+                + ": no such folder; what it holds would be put on the brick");
         Path file = Files.writeString(gifts.resolve("file"), "x");
         assertThatThrownBy(() -> new Simulation(settings().files(Optional.of(file)).build()).start(Gifts.class))
                 .isInstanceOf(SetupException.class).hasMessageStartingWith(file + ": is no folder");
         Path own = Files.createDirectories(folder.resolve("run/files"));
         assertThatThrownBy(() -> new Simulation(settings().files(Optional.of(own)).build()).start(Gifts.class))
-                .isInstanceOf(SetupException.class).hasMessageStartingWith(own + ": lies in the folder that this run writes");
+                .isInstanceOf(SetupException.class).hasMessageStartingWith(own
+                + ": lies in the folder that this run writes");
     }
 
     @Test void resultsOfEarlierRunsAreNotPutOnTheBrick() throws DescriptionException, IOException {

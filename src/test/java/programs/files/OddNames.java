@@ -10,7 +10,8 @@ public class OddNames {
         for (int i = 0; i < 50; i++) {
             longName.append("longer");
         }
-        String[] names = {"C:\\log?.txt", "C__log_.txt", "größe.txt", longName.toString(), longName + "2", "Case", "case", "/tmp/x", "tab\there"};
+        String[] names = {"C:\\log?.txt", "C__log_.txt", "größe.txt", longName.toString(), longName + "2", "Case",
+                "case", "/tmp/x", "tab\there"};
         for (int i = 0; i < names.length; i++) {
             try (FileOutputStream out = new FileOutputStream(names[i])) {
                 out.write('0' + i);

@@ -45,7 +45,8 @@ public class PathsTour {
         try (Scanner scanner = new Scanner(log)) {
             System.out.println(scanner.next() + scanner.next());
         }
-        System.out.println(log.toAbsolutePath() + " " + log.toFile().exists() + " " + log.toFile().toPath().equals(log));
+        System.out.println(log.toAbsolutePath() + " " + log.toFile().exists() + " " + log.toFile().toPath()
+                .equals(log));
     }
 
     private static void folders() throws IOException {
@@ -60,7 +61,8 @@ public class PathsTour {
         try (DirectoryStream<Path> texts = Files.newDirectoryStream(folder, "*.{txt,doc}")) {
             texts.forEach(path -> found.add(path.getFileName().toString()));
         }
-        System.out.println(found + " " + Files.isDirectory(folder) + Files.isRegularFile(folder) + Files.exists(folder.resolve("q")));
+        System.out.println(found + " " + Files.isDirectory(folder) + Files.isRegularFile(folder)
+                + Files.exists(folder.resolve("q")));
         System.out.println(Files.getLastModifiedTime(folder) + " " + Files.isSameFile(folder, folder.resolve("../c")));
     }
 
@@ -80,11 +82,13 @@ public class PathsTour {
             System.out.println("none: " + e.getMessage());
         }
         Files.copy(new java.io.ByteArrayInputStream(new byte[5]), Path.of("five"));
-        System.out.println(Files.readAllBytes(Path.of("five")).length + " " + Files.mismatch(Path.of("five"), Path.of("log.txt")));
+        System.out.println(Files.readAllBytes(Path.of("five")).length + " "
+                + Files.mismatch(Path.of("five"), Path.of("log.txt")));
     }
 
     private static void channels() throws IOException {
-        try (FileChannel channel = FileChannel.open(Path.of("c.bin"), StandardOpenOption.CREATE, StandardOpenOption.READ,
+        try (FileChannel channel = FileChannel.open(Path.of("c.bin"), StandardOpenOption.CREATE,
+                StandardOpenOption.READ,
                 StandardOpenOption.WRITE)) {
             channel.write(ByteBuffer.wrap(new byte[] {1, 2, 3, 4}));
             channel.position(1);
@@ -101,6 +105,7 @@ public class PathsTour {
         System.out.println(Files.createTempFile("t", ".x") + " " + Files.createTempDirectory("d"));
         System.out.println(FileSystems.getDefault().getPath("/tmp").equals(Path.of(Path.of("/tmp").toUri())));
         System.out.println(Files.exists(Path.of("/etc/passwd")) + " " + Files.exists(Path.of("/proc")));
-        System.out.println(Files.getFileStore(Path.of("/")).getUsableSpace() <= Files.getFileStore(Path.of("/")).getTotalSpace());
+        System.out.println(Files.getFileStore(Path.of("/")).getUsableSpace() <= Files.getFileStore(Path.of("/"))
+                .getTotalSpace());
     }
 }

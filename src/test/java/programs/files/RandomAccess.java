@@ -13,7 +13,8 @@ public class RandomAccess {
                 table.writeDouble(i / 2.0);
             }
             table.seek(3 * 12);
-            System.out.println(table.readInt() + " " + table.readDouble() + " at " + table.getFilePointer() + " of " + table.length());
+            System.out.println(table.readInt() + " " + table.readDouble() + " at " + table.getFilePointer() + " of "
+                    + table.length());
             table.seek(12);
             table.writeInt(-1);
             table.seek(table.length());
@@ -21,7 +22,8 @@ public class RandomAccess {
             table.writeUTF("ü");
             table.writeChars("xy");
             table.seek(12);
-            System.out.println(table.readInt() + " " + table.skipBytes(44) + " " + table.readLine() + " " + table.readLine()
+            System.out.println(table.readInt() + " " + table.skipBytes(44) + " " + table.readLine() + " "
+                    + table.readLine()
                     + " " + table.readUTF() + " " + table.readChar() + table.readChar() + " " + table.read());
             table.setLength(6);
             table.seek(4);

@@ -6,7 +6,10 @@ import java.io.FileNotFoundException;
 import java.io.InputStreamReader;
 import java.nio.charset.Charset;
 
-/** What {@code FileReader} is in a rewritten program: reads a file of the brick, UTF-8 unless told otherwise. Per robot. */
+/**
+ * What {@code FileReader} is in a rewritten program: reads a file of the brick, UTF-8 unless told otherwise. Per
+ * robot.
+ */
 public class ProgramFileReader extends InputStreamReader {
     /** Reads a file. */
     public ProgramFileReader(String name) throws FileNotFoundException {

@@ -6,7 +6,10 @@ import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.nio.charset.Charset;
 
-/** What {@code FileWriter} is in a rewritten program: writes a file of the brick, UTF-8 unless told otherwise. Per robot. */
+/**
+ * What {@code FileWriter} is in a rewritten program: writes a file of the brick, UTF-8 unless told otherwise. Per
+ * robot.
+ */
 public class ProgramFileWriter extends OutputStreamWriter {
     /** Writes a new file. */
     public ProgramFileWriter(String file) throws IOException {

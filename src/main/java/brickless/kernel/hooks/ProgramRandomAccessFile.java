@@ -17,7 +17,9 @@ import java.nio.channels.FileChannel;
 import java.nio.file.OpenOption;
 import java.nio.file.StandardOpenOption;
 
-/** What {@code RandomAccessFile} is in a rewritten program: a file of the brick to read and write anywhere. Per robot. */
+/**
+ * What {@code RandomAccessFile} is in a rewritten program: a file of the brick to read and write anywhere. Per robot.
+ */
 public class ProgramRandomAccessFile implements DataInput, DataOutput, Closeable {
     private static final OpenOption[] READ = {StandardOpenOption.READ};
     private static final OpenOption[] READ_AND_WRITE = {StandardOpenOption.READ, StandardOpenOption.WRITE,

@@ -7,7 +7,8 @@
  * {@code JdkCall}, {@code JdkCalls}) and stateless text ({@code FloatingText}, {@code ThrowableText}). All others are
  * <b>per robot</b>: the robot's class loader defines them anew, without rewriting, so that their static fields are the
  * robot's. {@code …Hooks} are static methods that stand for JDK calls, {@code Program…} classes extend the JDK class
- * that programs construct, or stand for it everywhere. Which call goes where is data: {@code jdk-calls.txt} here, {@code jdk-replacements.txt} in
+ * that programs construct, or stand for it everywhere. Which call goes where is data: {@code jdk-calls.txt} here,
+ * {@code jdk-replacements.txt} in
  * {@code brickless.loading}.
  *
  * <p>Everything here runs on the running fibre; hooks never hold a JDK lock while they call the kernel.
