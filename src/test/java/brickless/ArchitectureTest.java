@@ -42,8 +42,9 @@ class ArchitectureTest {
     static {
         TABLE.put("lejos", List.of("lejos..", "brickless.hardware", "org.slf4j.."));
         TABLE.put("brickless.hardware", List.of());
-        TABLE.put("brickless.kernel.hooks", List.of());
-        TABLE.put("brickless.kernel", List.of("brickless.kernel.hooks"));
+        TABLE.put("brickless.files", List.of());
+        TABLE.put("brickless.kernel.hooks", List.of("brickless.files"));
+        TABLE.put("brickless.kernel", List.of("brickless.kernel.hooks", "brickless.files"));
         TABLE.put("brickless.concurrent", List.of("brickless.concurrent..", "brickless.kernel.hooks"));
         TABLE.put("brickless.loading", List.of("brickless.loading..", "brickless.kernel.hooks", "org.objectweb.asm.."));
         TABLE.put("brickless.units", List.of());
@@ -55,7 +56,7 @@ class ArchitectureTest {
                 "brickless.kernel", "brickless.world", "brickless.units"));
         TABLE.put("brickless.trace", List.of("brickless.world", "brickless.units", "com.fasterxml.jackson.."));
         TABLE.put("brickless.program", List.of("brickless.loading"));
-        TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks",
+        TABLE.put("brickless.simulation", List.of("brickless.files", "brickless.hardware", "brickless.kernel", "brickless.kernel.hooks",
                 "brickless.loading..", "brickless.units", "brickless.world..", "brickless.physics",
                 "brickless.device..", "brickless.trace", "brickless.program"));
         TABLE.put("brickless.junit",

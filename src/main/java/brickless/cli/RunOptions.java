@@ -12,6 +12,7 @@ import brickless.simulation.StimuliReader;
 import brickless.world.DescriptionException;
 import brickless.world.World;
 import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
@@ -61,6 +62,12 @@ final class RunOptions {
 
     @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
     Path stimuli;
+
+    @Option(names = "--files", paramLabel = "DIR",
+            description = "Folder whose content lies on the brick, in /home/lejos/programs, when the run begins; it is "
+                    + "not changed. The files beside the program are there anyway. What the program writes is found "
+                    + "in files/ of the run's folder.")
+    private Path files;
 
     @Option(names = "--buttons", paramLabel = "POLICY", converter = ButtonsConverter.class,
             description = "auto: keys the program waits for are pressed; none: never (default: auto; view: none).")
@@ -127,6 +134,7 @@ final class RunOptions {
             if (!robot.equals("auto")) {
                 settings.robot(library.robot(robot));
             }
+            settings.files(files());
             if (stimuli != null) {
                 settings.stimuli(StimuliReader.read(stimuli));
             }
@@ -134,6 +142,14 @@ final class RunOptions {
         } catch (DescriptionException e) {
             throw new UsageException(e.getMessage());
         }
+    }
+
+    private Optional<Path> files() {
+        if (files != null && !Files.isDirectory(files)) {
+            throw new UsageException("--files " + files + ": "
+                    + (Files.exists(files) ? "is no folder" : "no such folder"));
+        }
+        return Optional.ofNullable(files);
     }
 
     /** The command that runs the same again, without a schedule seed. */
@@ -151,6 +167,7 @@ final class RunOptions {
         append(words, "--for", until.equals(USUAL_LIMIT) ? null : Durations.text(until));
         append(words, "--seed", otherSeed == 1 ? null : String.valueOf(otherSeed));
         append(words, "--stimuli", stimuliFile == null ? null : stimuliFile.toString());
+        append(words, "--files", files == null ? null : files.toString());
         append(words, "--buttons", pressButtons() ? null : "none");
         append(words, "--until", goal == null ? null : goal.text());
         return words.append(attended || live ? " --attended" : "").append(ideal ? " --ideal" : "").toString();

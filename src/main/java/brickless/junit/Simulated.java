@@ -46,6 +46,12 @@ public @interface Simulated {
     /** What happens to the robot, in the lines of a stimuli file: {@code "5s press ESCAPE 200ms"}. */
     String[] stimuli() default {};
 
+    /**
+     * Folder (relative to the working directory) whose content lies on the brick, in {@code /home/lejos/programs}, when
+     * a run begins; it is not changed. Default: none.
+     */
+    String files() default "";
+
     /** Class with the main method for parameters of type {@code Run}. */
     Class<?> program() default void.class;
 }

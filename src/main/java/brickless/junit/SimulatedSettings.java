@@ -63,6 +63,7 @@ final class SimulatedSettings {
                     .limit(limit())
                     .ideal(annotations.stream().anyMatch(Simulated::ideal)).pressButtons(pressButtons())
                     .stimuli(StimuliReader.readText("stimuli of " + test, String.join("\n", stimuli())))
+                    .files(Optional.of(text(Simulated::files, "")).filter(name -> !name.isEmpty()).map(Path::of))
                     .out(Optional.of(out));
             String robot = text(Simulated::robot, "auto");
             if (!robot.equals("auto")) {

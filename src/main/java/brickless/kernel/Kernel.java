@@ -1,5 +1,6 @@
 package brickless.kernel;
 
+import brickless.files.BrickFiles;
 import brickless.kernel.hooks.Budget;
 import brickless.kernel.hooks.OwnedLock;
 import brickless.kernel.hooks.ProgramKilled;
@@ -39,6 +40,7 @@ public final class Kernel implements VirtualMachine, Processor {
     private final Identities identities;
     private final Streams streams = new Streams();
     private KernelListener listener = new KernelListener() { };
+    private BrickFiles files;
     private String backendName;
     private Thread mainThread;
     private Runnable mainBody;
@@ -77,6 +79,11 @@ public final class Kernel implements VirtualMachine, Processor {
      */
     public void beforeTurn(Runnable action) {
         beforeTurn = Objects.requireNonNull(action, "action");
+    }
+
+    /** Gives the program files of its own; before the run. Without it uses those of the host. */
+    public void files(BrickFiles brickFiles) {
+        files = Objects.requireNonNull(brickFiles, "files");
     }
 
     /** Sets who hears what happens; before the run. */
@@ -370,6 +377,11 @@ public final class Kernel implements VirtualMachine, Processor {
     @Override
     public void setStreams(PrintStream out, PrintStream err, InputStream in) {
         streams.set(out, err, in);
+    }
+
+    @Override
+    public BrickFiles files() {
+        return files;
     }
 
     /**

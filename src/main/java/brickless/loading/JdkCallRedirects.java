@@ -5,7 +5,6 @@ import brickless.kernel.hooks.JdkCall.Kind;
 import brickless.kernel.hooks.JdkCalls;
 import java.util.Set;
 import org.objectweb.asm.Opcodes;
-import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodInsnNode;
@@ -68,7 +67,7 @@ final class JdkCallRedirects implements MethodPass {
     }
 
     private boolean isOwner(JdkCall redirect, String owner) {
-        if (redirect.kind() == Kind.NEW) {
+        if (redirect.name().equals("<init>")) {
             return owner.equals(redirect.owner());
         }
         String jdkOwner = catalog.jdkOwner(owner, redirect.signature());
@@ -89,17 +88,11 @@ final class JdkCallRedirects implements MethodPass {
             case ARGUMENT:
                 method.instructions.insertBefore(call,
                         Code.call(redirect.hookOwner(), redirect.hookName(), redirect.hookDescriptor()));
-                call.desc = withLastArgument(call.desc, Type.getReturnType(redirect.hookDescriptor()));
+                call.desc = redirect.convertedDescriptor();
                 break;
             default:
                 method.instructions.set(call, Code.call(redirect.hookOwner(), redirect.hookName(),
                         redirect.hookDescriptor()));
         }
-    }
-
-    private static String withLastArgument(String descriptor, Type converted) {
-        Type[] arguments = Type.getArgumentTypes(descriptor);
-        arguments[arguments.length - 1] = converted;
-        return Type.getMethodDescriptor(Type.getReturnType(descriptor), arguments);
     }
 }

@@ -1,7 +1,12 @@
 package brickless.loading;
 
-/** Questions about JDK classes, answered by the running JDK without initialising them. Names are internal. */
+/**
+ * Questions about JDK classes, and ours that stand for some, answered by the running JDK without initialising them.
+ * Names are internal.
+ */
 final class JdkTypes {
+    private static final String OURS = "brickless/";
+
     private JdkTypes() {}
 
     /** Whether a JDK class is, extends or implements another; false for classes that this JDK does not have. */
@@ -27,8 +32,10 @@ final class JdkTypes {
     }
 
     private static Class<?> find(String name) {
+        ClassLoader loader = name.startsWith(OURS) ? JdkTypes.class.getClassLoader()
+                : ClassLoader.getPlatformClassLoader();
         try {
-            return Class.forName(name.replace('/', '.'), false, ClassLoader.getPlatformClassLoader());
+            return Class.forName(name.replace('/', '.'), false, loader);
         } catch (ClassNotFoundException absent) {
             return null;
         }

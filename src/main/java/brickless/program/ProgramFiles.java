@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -33,6 +34,20 @@ public final class ProgramFiles {
         } catch (IOException e) {
             throw new ProgramException(program.name() + ": cannot be read: " + e.getMessage());
         }
+    }
+
+    /**
+     * The folder that a program lies in: what a user would put on the brick with it is there. Empty for a class of a
+     * class path.
+     *
+     * @param directory directory that the program's name refers to
+     */
+    public static Optional<Path> folder(Path directory, Program program) {
+        Path named = directory.resolve(program.name());
+        if (program.classPath().isEmpty() || !Files.exists(named)) {
+            return Optional.empty();
+        }
+        return Optional.ofNullable(Files.isDirectory(named) ? named : named.getParent());
     }
 
     /**

@@ -4,6 +4,7 @@ import brickless.loading.hints.HardwareHints;
 import brickless.loading.hints.HintFinder;
 import brickless.program.Program;
 import brickless.program.ProgramException;
+import brickless.program.ProgramFiles;
 import brickless.program.ProgramFinder;
 import brickless.world.DescriptionException;
 import brickless.world.Placement;
@@ -17,7 +18,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Who takes part in a run: every robot of the world with its model, start pose and program. Programs that the world names are found, and
+ * Who takes part in a run: every robot of the world with its model, start pose and program. Programs that the world
+ * names are found, and
  * compiled where needed, for this run; {@link #close} removes what was compiled.
  */
 final class Crew implements AutoCloseable {
@@ -29,8 +31,9 @@ final class Crew implements AutoCloseable {
      * @param start where it starts
      * @param program what it runs
      * @param fitted whether the model was fitted to the program
+     * @param folder where the program lies
      */
-    record Member(String name, RobotModel model, Pose2 start, Program program, boolean fitted) {}
+    record Member(String name, RobotModel model, Pose2 start, Program program, boolean fitted, Optional<Path> folder) {}
 
     private final SimulationSettings settings;
     private final Program program;
@@ -43,6 +46,7 @@ final class Crew implements AutoCloseable {
 
     /** All robots; a world that places none gets one in its middle. */
     List<Member> members() {
+        Upload.check(settings);
         World world = settings.world();
         List<Member> members = new ArrayList<>();
         if (world.placements().isEmpty()) {
@@ -57,24 +61,32 @@ final class Crew implements AutoCloseable {
 
     private Member member(Placement placement) {
         try {
-            Program own = placement.program().isPresent() ? find(placement.program().get()) : program;
+            Path directory = placement.program().isPresent() ? worldFolder() : Path.of("").toAbsolutePath();
+            Program own = placement.program().isPresent() ? find(directory, placement.program().get()) : program;
             boolean fitted = settings.robot().isEmpty() && placement.model().isEmpty();
             RobotModel model = fitted ? RobotFitter.fit(hints(own)) : drawn(placement);
             String file = settings.worldFile().isEmpty() ? settings.world().name() + ".svg" : settings.worldFile();
             WorldCheck.placement(file, settings.world(), model, placement.start());
-            return new Member(placement.name(), model, placement.start(), own, fitted);
+            return new Member(placement.name(), model, placement.start(), own, fitted,
+                    ProgramFiles.folder(directory, own));
         } catch (DescriptionException | ProgramException e) {
             throw new SetupException(e.getMessage());
         }
     }
 
     private RobotModel drawn(Placement placement) throws DescriptionException {
-        return placement.model().isPresent() ? new Library(Path.of("")).modelOf(settings.worldFile(), placement.model().get())
+        return placement.model().isPresent() ? new Library(Path.of(""))
+                .modelOf(settings.worldFile(), placement.model().get())
                 : settings.robot().orElseThrow();
     }
 
-    private Program find(String name) throws ProgramException {
-        Path folder = Optional.ofNullable(Path.of(settings.worldFile()).toAbsolutePath().getParent()).orElse(Path.of("").toAbsolutePath());
+    /** Programs that the world names lie beside it. */
+    private Path worldFolder() {
+        return Optional.ofNullable(Path.of(settings.worldFile()).toAbsolutePath().getParent())
+                .orElse(Path.of("").toAbsolutePath());
+    }
+
+    private Program find(Path folder, String name) throws ProgramException {
         Program named = new ProgramFinder(folder, List.of(), Optional.empty()).find(name);
         found.add(named);
         return named;

@@ -3,6 +3,7 @@ package brickless.simulation;
 import brickless.device.RobotDevices;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
+import brickless.files.BrickFiles;
 import brickless.hardware.BrickHardware;
 import brickless.hardware.ProgramLog;
 import brickless.kernel.Processor;
@@ -30,6 +31,7 @@ final class RobotSession {
     private final SensorModes modes;
     private final ProgramExit end;
     private Optional<String> guesses = Optional.empty();
+    private Optional<BrickFiles> files = Optional.empty();
     private boolean poweredOff;
 
     /**
@@ -48,7 +50,8 @@ final class RobotSession {
         this.end = end;
         modes = new SensorModes((time, mode) -> recorder.event(time, name, mode));
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
-        panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
+        panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome,
+                end::endByKeys);
         panel.keys().setAttended(settings.attended());
         devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
@@ -63,7 +66,9 @@ final class RobotSession {
         /** The program asks for its end; called by one of its threads. */
         void exit(int status);
 
-        /** The keys DOWN and ENTER were held together: the brick's menu ends the program. Called within a physics step. */
+        /**
+         * The keys DOWN and ENTER were held together: the brick's menu ends the program. Called within a physics step.
+         */
         void endByKeys();
 
         /** Whether the program has ended, while the world goes on. */
@@ -73,6 +78,16 @@ final class RobotSession {
     /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
     BrickHardware brick(ProgramLog log) {
         return new VirtualBrick("EV3", devices, panel, log);
+    }
+
+    /** The brick has files of its own. */
+    void carry(BrickFiles brickFiles) {
+        files = Optional.of(brickFiles);
+    }
+
+    /** The brick's own files, if the program does not use those of the host. */
+    Optional<BrickFiles> files() {
+        return files;
     }
 
     String name() {
@@ -125,10 +140,12 @@ final class RobotSession {
         for (int port = 0; port < 4; port++) {
             if (devices.motor(port).type() != null) {
                 motors.add(new RobotSample.MotorSample((char) ('A' + port), devices.motor(port).encoder(),
-                        devices.motor(port).shaftDegreesPerSecond(), devices.motor(port).dutyPercent(), devices.motor(port).batteryAmperes()));
+                        devices.motor(port).shaftDegreesPerSecond(), devices.motor(port).dutyPercent(),
+                        devices.motor(port).batteryAmperes()));
             }
             if (devices.sensor(port).mount() != null) {
-                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(), devices.sensor(port).reading(nowNanos)));
+                sensors.add(new RobotSample.SensorSample(port + 1, devices.sensor(port).connected(),
+                        devices.sensor(port).reading(nowNanos)));
             }
         }
         return new RobotSample(name, body.pose(), motors, sensors, devices.battery().terminalVolts());
@@ -148,8 +165,10 @@ final class RobotSession {
         for (int i = 0; i < 4; i++) {
             SensorPortDevice port = devices.sensor(i);
             int number = i + 1;
-            port.beam().ifPresent(b -> beams.add(new Frame.Beam(number, port.connected(), b.from(), b.ends(), b.metres())));
-            port.spot().ifPresent(s -> spots.add(new Frame.Spot(number, port.connected(), s.at(), s.radiusMetres(), s.colour())));
+            port.beam().ifPresent(b -> beams.add(new Frame.Beam(number, port.connected(), b.from(), b.ends(),
+                    b.metres())));
+            port.spot().ifPresent(s -> spots.add(new Frame.Spot(number, port.connected(), s.at(), s.radiusMetres(),
+                    s.colour())));
         }
         return new Frame.RobotFrame(name, body.pose(), parts, beams, spots);
     }
@@ -158,6 +177,7 @@ final class RobotSession {
     void finish() {
         panel.screen().settle();
         console.finish();
+        files.ifPresent(BrickFiles::end);
     }
 
     List<String> notes() {
@@ -172,8 +192,10 @@ final class RobotSession {
         notes.addAll(fitting.missing());
         notes.addAll(plugs.notes());
         if (panel.automaticPresses() > 0) {
-            notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
+            notes.add("keys pressed for the program while it waited: " + panel.automaticPresses()
+                    + " (--buttons none to leave it waiting)");
         }
+        files.flatMap(WrittenFiles::describe).ifPresent(notes::add);
         return notes;
     }
 }

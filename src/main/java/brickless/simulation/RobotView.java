@@ -1,6 +1,10 @@
 package brickless.simulation;
 
+import brickless.files.BrickFiles;
 import brickless.world.Pose2;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 
@@ -73,6 +77,39 @@ public final class RobotView {
     /** What the program has printed so far, one entry per complete line. */
     public List<String> printedLines() {
         return session.console().lines();
+    }
+
+    /**
+     * Names of the files that the program has made or changed on its brick so far, sorted: relative ones in the folder
+     * where programs start,
+     * else absolute. Empty in live mode, where the program uses the files of the host.
+     */
+    public List<String> filesWritten() {
+        return session.files().map(WrittenFiles::names).orElse(List.of());
+    }
+
+    /**
+     * Content of a file on the brick, written by the program or put there for it.
+     *
+     * @throws IllegalArgumentException if there is no such file
+     */
+    public byte[] fileBytes(String name) {
+        BrickFiles files = session.files()
+                .orElseThrow(() -> new IllegalArgumentException("in live mode a program uses the files of the host"));
+        if (!files.isFile(name)) {
+            throw new IllegalArgumentException("no file " + name + " on the brick of " + name() + "; written so far: "
+                    + (filesWritten().isEmpty() ? "none" : String.join(", ", filesWritten())));
+        }
+        try {
+            return files.read(name);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The same as text in UTF-8. */
+    public String fileText(String name) {
+        return new String(fileBytes(name), StandardCharsets.UTF_8);
     }
 
     /** Class name of the behaviour that the program's arbitrator made active last, empty when none is. */

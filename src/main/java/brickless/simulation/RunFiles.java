@@ -35,6 +35,11 @@ final class RunFiles {
             folder.write(i == 0 ? "screen.png" : "screen-" + session.name() + ".png", session.panel().screen().asPng());
             folder.write(FinishedRun.robotFile(i, session.name()), session.model().svg());
         }
+        WrittenFiles written = new WrittenFiles(folder);
+        for (int i = 0; i < sessions.size(); i++) {
+            written.write(i == 0 ? "files" : "files-" + sessions.get(i).name(), sessions.get(i));
+        }
+        written.finish();
         folder.write("path.svg", recorder.path().svg(settings.world(), models));
         page(report, new ReportScene(settings.world(), models));
         folder.publish();

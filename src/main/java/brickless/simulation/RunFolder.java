@@ -31,6 +31,7 @@ final class RunFolder {
     OutputStream open(String name) {
         names.add(name);
         try {
+            Files.createDirectories(part(name).getParent());
             return new BufferedOutputStream(Files.newOutputStream(part(name)), 1 << 16);
         } catch (IOException e) {
             throw new SetupException(folder.resolve(name) + ": cannot be written: " + e.getMessage());
@@ -69,6 +70,11 @@ final class RunFolder {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** The folder. */
+    Path path() {
+        return folder;
     }
 
     private Path part(String name) {

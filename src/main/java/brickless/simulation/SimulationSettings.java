@@ -27,10 +27,13 @@ import java.util.OptionalLong;
  * @param backend how program threads are carried
  * @param console where the program's output is passed on as it is printed
  * @param out folder for the files of the run; empty: none are written
+ * @param files folder whose content lies in every brick's working folder when the run begins; empty: only the files
+ *     beside the program do
  */
 public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed,
         OptionalLong scheduleSeed, Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons,
-        boolean attended, List<Stimulus> stimuli, BackendChoice backend, OutputStream console, Optional<Path> out) {
+        boolean attended, List<Stimulus> stimuli, BackendChoice backend, OutputStream console, Optional<Path> out,
+        Optional<Path> files) {
     public SimulationSettings {
         stimuli = List.copyOf(stimuli);
     }
@@ -45,7 +48,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
         Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit)
                 .goal(goal).ideal(ideal)
                 .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend)
-                .console(console).out(out);
+                .console(console).out(out).files(files);
         robot.ifPresent(builder::robot);
         return builder;
     }
@@ -66,6 +69,7 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
         private BackendChoice backend = BackendChoice.AUTO;
         private OutputStream console = OutputStream.nullOutputStream();
         private Optional<Path> out = Optional.empty();
+        private Optional<Path> files = Optional.empty();
 
         private Builder(World world) {
             this.world = world;
@@ -149,10 +153,16 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
             return this;
         }
 
+        /** Folder whose content lies in every brick's working folder when the run begins. It is read only. */
+        public Builder files(Optional<Path> value) {
+            files = value;
+            return this;
+        }
+
         /** The settings. */
         public SimulationSettings build() {
             return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons,
-                    attended, stimuli, backend, console, out);
+                    attended, stimuli, backend, console, out, files);
         }
     }
 }

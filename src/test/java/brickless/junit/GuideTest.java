@@ -44,7 +44,7 @@ class GuideTest {
         assertThat(sources).hasSizeGreaterThan(5);
         try (CompiledTests tests = CompiledTests.of(folder, sources)) {
             tests.run(true, sources.keySet().toArray(String[]::new)).testEvents()
-                    .assertStatistics(events -> events.started(11).succeeded(11).failed(0).skipped(0));
+                    .assertStatistics(events -> events.started(12).succeeded(12).failed(0).skipped(0));
         }
     }
 

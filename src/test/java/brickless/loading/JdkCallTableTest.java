@@ -26,19 +26,32 @@ class JdkCallTableTest {
     private static void check(JdkCall call) throws ReflectiveOperationException {
         Class<?> owner = type(call.owner());
         Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.descriptor(), null).parameterArray();
-        Executable member = call.kind() == Kind.NEW ? owner.getConstructor(parameters)
+        Executable member = call.name().equals("<init>") ? owner.getConstructor(parameters)
                 : owner.getDeclaredMethod(call.name(), parameters);
         assertThat(Modifier.isStatic(member.getModifiers())).isEqualTo(call.kind() == Kind.STATIC);
         if (call.kind() == Kind.NEW) {
             checkSuppliers(call, owner);
             return;
         }
-        assertThat(Type.getMethodDescriptor((Method) member)).isEqualTo(call.descriptor());
+        if (member instanceof Method) {
+            assertThat(Type.getMethodDescriptor((Method) member)).isEqualTo(call.descriptor());
+        }
         checkHook(call.hookOwner(), call.hookName(), call.hookDescriptor());
+        if (call.kind() == Kind.ARGUMENT) {
+            checkConverted(call, owner);
+        }
         if (call.kind() == Kind.FINAL) {
             boolean fixed = Modifier.isFinal(member.getModifiers()) || Modifier.isFinal(owner.getModifiers());
             assertThat(fixed).as("cannot be overridden").isTrue();
         }
+    }
+
+    private static void checkConverted(JdkCall call, Class<?> owner) throws ReflectiveOperationException {
+        Class<?>[] parameters = MethodType.fromMethodDescriptorString(call.convertedDescriptor(), null)
+                .parameterArray();
+        Executable target = call.name().equals("<init>") ? owner.getConstructor(parameters)
+                : owner.getMethod(call.name(), parameters);
+        assertThat(target).isNotNull();
     }
 
     private static void checkSuppliers(JdkCall call, Class<?> owner) throws ReflectiveOperationException {

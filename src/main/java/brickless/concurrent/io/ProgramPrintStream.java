@@ -1,8 +1,8 @@
 package brickless.concurrent.io;
 
+import brickless.kernel.hooks.ProgramFileOutputStream;
 import java.io.File;
 import java.io.FileNotFoundException;
-import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
@@ -58,7 +58,7 @@ public class ProgramPrintStream extends PrintStream {
 
     /** Prints to a new file in UTF-8. */
     public ProgramPrintStream(String fileName) throws FileNotFoundException {
-        this(new FileOutputStream(fileName));
+        this(new ProgramFileOutputStream(fileName));
     }
 
     /** Prints to a new file in that encoding. */
@@ -73,7 +73,7 @@ public class ProgramPrintStream extends PrintStream {
 
     /** Prints to a new file in UTF-8. */
     public ProgramPrintStream(File file) throws FileNotFoundException {
-        this(new FileOutputStream(file));
+        this(new ProgramFileOutputStream(file));
     }
 
     /** Prints to a new file in that encoding. */
@@ -88,7 +88,7 @@ public class ProgramPrintStream extends PrintStream {
 
     /** The encoding comes first so that a bad one leaves no empty file behind. */
     private ProgramPrintStream(Charset charset, File file) throws FileNotFoundException {
-        this(new FileOutputStream(file), false, charset);
+        this(new ProgramFileOutputStream(file), false, charset);
     }
 
     private static Charset charset(String name) throws UnsupportedEncodingException {

@@ -1,5 +1,6 @@
 package brickless.kernel.hooks;
 
+import brickless.files.BrickFiles;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.util.concurrent.ThreadLocalRandom;
@@ -235,5 +236,10 @@ final class HostMachine implements VirtualMachine {
         if (in != null) {
             System.setIn(in);
         }
+    }
+
+    @Override
+    public BrickFiles files() {
+        return null;
     }
 }

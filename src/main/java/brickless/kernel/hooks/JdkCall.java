@@ -1,5 +1,6 @@
 package brickless.kernel.hooks;
 
+import java.lang.invoke.MethodType;
 import java.util.Locale;
 
 /**
@@ -60,6 +61,19 @@ public record JdkCall(Kind kind, int firstJdk, int lastJdk, String owner, String
             default:
                 return descriptor;
         }
+    }
+
+    /** The member's descriptor after the conversion of a {@link Kind#ARGUMENT}. */
+    public String convertedDescriptor() {
+        MethodType converter = type(hookDescriptor());
+        MethodType member = type(descriptor);
+        int kept = member.parameterCount() - converter.parameterCount();
+        return member.dropParameterTypes(kept, member.parameterCount()).appendParameterTypes(converter.returnType())
+                .toMethodDescriptorString();
+    }
+
+    private static MethodType type(String descriptor) {
+        return MethodType.fromMethodDescriptorString(descriptor, ClassLoader.getPlatformClassLoader());
     }
 
     /** The hooks that supply further constructor arguments, each as owner, name and descriptor. */

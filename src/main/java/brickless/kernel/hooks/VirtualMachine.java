@@ -1,5 +1,6 @@
 package brickless.kernel.hooks;
 
+import brickless.files.BrickFiles;
 import java.io.InputStream;
 import java.io.PrintStream;
 
@@ -126,4 +127,7 @@ public interface VirtualMachine {
 
     /** {@code System.setOut}, {@code System.setErr} and {@code System.setIn}; null leaves a stream unchanged. */
     void setStreams(PrintStream out, PrintStream err, InputStream in);
+
+    /** The files of the robot's brick; null: the program uses those of the host. */
+    BrickFiles files();
 }
