@@ -42,7 +42,8 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
         return new Program(name, mainClass, classPath, Optional.of(directory));
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         temporary.ifPresent(Program::delete);
     }
 

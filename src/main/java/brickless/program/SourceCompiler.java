@@ -22,8 +22,9 @@ import javax.tools.ToolProvider;
 /**
  * Compiles leJOS programs with the JDK's compiler, against Brickless' own {@code lejos} classes.
  *
- * <p>Java 8 rules are tried first, because that is what leJOS programs were written for (there {@code yield()} is still a method call) and
- * because the resulting bytecode is the same on every JDK; programs that need newer Java are compiled by the JDK's own rules.
+ * <p>Java 8 rules are tried first, because that is what leJOS programs were written for (there {@code yield()} is still
+ * a method call) and because the resulting bytecode is the same on every JDK; programs that need newer Java are
+ * compiled by the JDK's own rules.
  */
 final class SourceCompiler {
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
@@ -39,9 +40,11 @@ final class SourceCompiler {
     void compile(List<Path> sources, Set<Path> roots, Path target) throws ProgramException, IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         if (compiler == null) {
-            throw new ProgramException("no Java compiler here: run with a JDK instead of a JRE, or give compiled classes");
+            throw new ProgramException(
+                    "no Java compiler here: run with a JDK instead of a JRE, or give compiled classes");
         }
-        List<Diagnostic<? extends JavaFileObject>> asJava8 = attempt(compiler, sources, roots, target, List.of("--release", "8"));
+        List<Diagnostic<? extends JavaFileObject>> asJava8 = attempt(compiler, sources, roots, target,
+                List.of("--release", "8"));
         if (asJava8.isEmpty()) {
             return;
         }
@@ -51,8 +54,8 @@ final class SourceCompiler {
         }
     }
 
-    private List<Diagnostic<? extends JavaFileObject>> attempt(JavaCompiler compiler, List<Path> sources, Set<Path> roots, Path target,
-            List<String> rules) throws IOException {
+    private List<Diagnostic<? extends JavaFileObject>> attempt(JavaCompiler compiler, List<Path> sources,
+            Set<Path> roots, Path target, List<String> rules) throws IOException {
         DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null)) {
             files.setLocationFromPaths(StandardLocation.CLASS_OUTPUT, List.of(target));
@@ -66,19 +69,22 @@ final class SourceCompiler {
             options.addAll(rules);
             StringWriter rest = new StringWriter();
             LenientSourceFiles lenient = new LenientSourceFiles(files);
-            boolean fine = compiler.getTask(rest, lenient, messages, options, null, lenient.wrap(files.getJavaFileObjectsFromPaths(sources))).call();
+            boolean fine = compiler.getTask(rest, lenient, messages, options, null,
+                    lenient.wrap(files.getJavaFileObjectsFromPaths(sources))).call();
             if (fine) {
                 return List.of();
             }
         }
-        return messages.getDiagnostics().stream().filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList();
+        return messages.getDiagnostics().stream()
+                .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList();
     }
 
     private static String describe(List<Diagnostic<? extends JavaFileObject>> errors) {
         StringBuilder text = new StringBuilder();
         for (Diagnostic<? extends JavaFileObject> error : errors.subList(0, Math.min(MESSAGES_SHOWN, errors.size()))) {
             if (error.getSource() != null) {
-                text.append(shortest(Path.of(error.getSource().toUri()))).append(':').append(error.getLineNumber()).append(": ");
+                text.append(shortest(Path.of(error.getSource().toUri()))).append(':').append(error.getLineNumber())
+                        .append(": ");
             }
             text.append("error: ").append(error.getMessage(Locale.ROOT).replaceAll("\\R\\s*", "; ")).append('\n');
         }
