@@ -74,7 +74,7 @@ public final class Kernel implements VirtualMachine, Processor {
     }
 
     /**
-     * Sets what happens before the program's share runs, after that of another kernel of the same {@link Ensemble}:
+     * Sets what happens before a thread of the program runs, after one of another kernel of the same {@link Ensemble}:
      * where programs share classes, what is static in them is exchanged. Before the run.
      */
     public void beforeTurn(Runnable action) {
@@ -421,7 +421,7 @@ public final class Kernel implements VirtualMachine, Processor {
         return scheduler.current();
     }
 
-    /** The program's share is about to run. */
+    /** A thread of the program is about to run. */
     void takeTurn() {
         beforeTurn.run();
     }

@@ -62,7 +62,8 @@ final class CallDepth implements MethodPass {
 
     private boolean isHarmless(MethodInsnNode call) {
         boolean triggers = call.name.equals(ClassInitialization.TRIGGER);
-        return call.owner.equals(Code.HOOKS) || triggers && !catalog.mayBlock(InterfaceStatics.interfaceOf(call.owner)) || call.owner.equals(Code.OBJECT) && "<init>".equals(call.name);
+        return call.owner.equals(Code.HOOKS) || call.owner.equals(Code.OBJECT) && "<init>".equals(call.name)
+                || triggers && !catalog.mayBlock(InterfaceStatics.interfaceOf(call.owner));
     }
 
     private static InsnList leave(int depth) {

@@ -119,7 +119,8 @@ final class ClassCatalog {
     /** Whether uses of the class or interface must trigger an initialisation first: its own or that of parents. */
     boolean initialises(String name) {
         ClassSummary summary = summary(name);
-        return summary != null && (summary.initialisation() != Initialisation.NONE || !parentsToInitialise(name).isEmpty());
+        return summary != null && (summary.initialisation() != Initialisation.NONE
+                || !parentsToInitialise(name).isEmpty());
     }
 
     /**
