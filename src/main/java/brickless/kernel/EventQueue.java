@@ -10,10 +10,12 @@ final class EventQueue {
     private Event[] heap = new Event[16];
     private int size;
     private long sequence;
+    /** Of the first event; kept here because every robot is asked at every step, with its heap in no cache. */
+    private long nextTimeNanos = Long.MAX_VALUE;
 
     /** Time of the first event, {@code Long.MAX_VALUE} if there is none. */
     long nextTimeNanos() {
-        return size == 0 ? Long.MAX_VALUE : heap[0].timeNanos;
+        return nextTimeNanos;
     }
 
     int size() {
@@ -30,6 +32,7 @@ final class EventQueue {
         event.timeNanos = timeNanos;
         event.sequence = sequence++;
         siftUp(event, size++);
+        noteNextTime();
     }
 
     /** Removes and returns the first event; the queue must not be empty. */
@@ -54,6 +57,7 @@ final class EventQueue {
                 siftUp(last, hole);
             }
         }
+        noteNextTime();
     }
 
     void clear() {
@@ -62,6 +66,11 @@ final class EventQueue {
             heap[i] = null;
         }
         size = 0;
+        noteNextTime();
+    }
+
+    private void noteNextTime() {
+        nextTimeNanos = size == 0 ? Long.MAX_VALUE : heap[0].timeNanos;
     }
 
     private void siftUp(Event event, int from) {

@@ -50,6 +50,25 @@ class EventQueueTest {
     }
 
     @Test
+    void theNextTimeIsTheFirstEventsAfterEveryChange() {
+        Event late = add("late", 9);
+        assertThat(queue.nextTimeNanos()).isEqualTo(9);
+        Event early = add("early", 5);
+        assertThat(queue.nextTimeNanos()).isEqualTo(5);
+        add("between", 7);
+        assertThat(queue.nextTimeNanos()).isEqualTo(5);
+        queue.remove(early);
+        assertThat(queue.nextTimeNanos()).isEqualTo(7);
+        queue.remove(late);
+        assertThat(queue.nextTimeNanos()).isEqualTo(7);
+        queue.poll();
+        assertThat(queue.nextTimeNanos()).isEqualTo(Long.MAX_VALUE);
+        add("cleared", 3);
+        queue.clear();
+        assertThat(queue.nextTimeNanos()).isEqualTo(Long.MAX_VALUE);
+    }
+
+    @Test
     void clearingLetsGoOfAllEvents() {
         Event event = add("x", 5);
         queue.clear();
