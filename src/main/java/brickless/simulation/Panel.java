@@ -16,7 +16,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 
 /** The front of one robot's brick: screen, keys, LEDs and loudspeaker, and what of it goes into the trace. */
 final class Panel implements PanelListener {
@@ -30,7 +29,7 @@ final class Panel implements PanelListener {
     private final Optional<ButtonPolicy> policy;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
-    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, BooleanSupplier pressesToCome, Runnable endProgram) {
+    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around, Runnable endProgram) {
         this.robot = robot;
         this.recorder = recorder;
         keys = new KeyPad(processor, this);
@@ -38,7 +37,7 @@ final class Panel implements PanelListener {
         speaker = new Speaker(processor, this);
         screen = new ScreenPanel(processor, this);
         chords = new KeyChords(keys, screen, endProgram);
-        policy = pressKeys ? Optional.of(new ButtonPolicy(keys, pressesToCome)) : Optional.empty();
+        policy = pressKeys ? Optional.of(new ButtonPolicy(keys, around)) : Optional.empty();
     }
 
     KeyPad keys() {

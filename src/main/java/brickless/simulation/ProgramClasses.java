@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.loading.ReachableClasses;
 import brickless.program.Program;
 import java.io.IOException;
 import java.io.InputStream;
@@ -21,6 +22,11 @@ public final class ProgramClasses {
     /** Those of a program. */
     public ProgramClasses(Program program) {
         this.program = program;
+    }
+
+    /** Reads those that the main class leads to: a folder may hold other programs, for other robots. */
+    public List<byte[]> ofMain() {
+        return ReachableClasses.from(program.mainClass(), files());
     }
 
     /** Reads them all. */

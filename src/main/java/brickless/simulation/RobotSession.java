@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
+import brickless.device.panel.ButtonPolicy;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
 import brickless.hardware.BrickHardware;
@@ -48,11 +49,11 @@ final class RobotSession {
         this.end = end;
         modes = new SensorModes((time, mode) -> recorder.event(time, name, mode));
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
-        panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome, end::endByKeys);
+        panel = new Panel(name, processor, recorder, settings.pressButtons(), around(stimulator), end::endByKeys);
         panel.keys().setAttended(settings.attended());
         devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
-            HardwareHints hints = HintFinder.find(new ProgramClasses(member.program()).files());
+            HardwareHints hints = HintFinder.find(new ProgramClasses(member.program()).ofMain());
             fitting.plugMotors(hints.motors(), devices);
             guesses = fitted ? OwnDriver.describe(hints) : Optional.empty();
         }
@@ -68,6 +69,22 @@ final class RobotSession {
 
         /** Whether the program has ended, while the world goes on. */
         boolean over();
+    }
+
+    private ButtonPolicy.Circumstances around(Stimulator stimulator) {
+        return new ButtonPolicy.Circumstances() {
+            @Override public boolean keyPressesToCome() {
+                return stimulator.keyPressesToCome();
+            }
+
+            @Override public boolean stimuliToCome() {
+                return stimulator.hasMoreToDo();
+            }
+
+            @Override public boolean motorsRest() {
+                return devices.motorsRest();
+            }
+        };
     }
 
     /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
