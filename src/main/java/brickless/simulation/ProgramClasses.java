@@ -1,5 +1,6 @@
 package brickless.simulation;
 
+import brickless.loading.MainClasses;
 import brickless.loading.ReachableClasses;
 import brickless.program.Program;
 import java.io.IOException;
@@ -26,7 +27,13 @@ public final class ProgramClasses {
 
     /** Reads those that the main class leads to: a folder may hold other programs, for other robots. */
     public List<byte[]> ofMain() {
-        return ReachableClasses.from(program.mainClass(), files());
+        return ReachableClasses.from(program.mainClass(), files().stream().filter(file -> !isOurs(file)).toList());
+    }
+
+    /** A library may bring leJOS along; ours is used instead. */
+    private static boolean isOurs(byte[] classFile) {
+        String name = MainClasses.nameOf(classFile).orElse("");
+        return name.startsWith("lejos.") && ProgramClasses.class.getResource("/" + name.replace('.', '/') + ".class") != null;
     }
 
     /** Reads them all. */

@@ -22,6 +22,7 @@ final class RobotSession {
     private final String name;
     private final RobotModel model;
     private final boolean fitted;
+    private final Optional<String> remark;
     private final RobotBody body;
     private final ProgramConsole console;
     private final Panel panel;
@@ -45,6 +46,7 @@ final class RobotSession {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
+        remark = member.program().remark();
         body = arena.robot(name).orElseThrow();
         this.end = end;
         modes = new SensorModes((time, mode) -> recorder.event(time, name, mode));
@@ -179,6 +181,7 @@ final class RobotSession {
 
     List<String> notes() {
         List<String> notes = new ArrayList<>();
+        remark.ifPresent(notes::add);
         if (fitted) {
             notes.add(RobotFitter.describe(model));
         }
