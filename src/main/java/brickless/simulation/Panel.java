@@ -56,9 +56,13 @@ final class Panel implements PanelListener {
         return screen;
     }
 
-    /** Number of keys pressed for the program. */
-    int automaticPresses() {
-        return policy.map(ButtonPolicy::presses).orElse(0);
+    /** Names of the keys pressed for the program, in order. */
+    List<String> automaticPresses() {
+        return policy.map(ButtonPolicy::presses).orElse(List.of()).stream().map(Panel::nameOf).toList();
+    }
+
+    private static String nameOf(int key) {
+        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow().getKey();
     }
 
     void step(long nowNanos) {

@@ -19,6 +19,8 @@ import java.util.Optional;
 
 /** One robot of a run: its body, its devices and its brick, whatever processor its program runs on. */
 final class RobotSession {
+    private static final int KEYS_NAMED = 5;
+
     private final String name;
     private final RobotModel model;
     private final boolean fitted;
@@ -191,8 +193,11 @@ final class RobotSession {
         }
         notes.addAll(fitting.missing());
         notes.addAll(plugs.notes());
-        if (panel.automaticPresses() > 0) {
-            notes.add("keys pressed for the program while it waited: " + panel.automaticPresses() + " (--buttons none to leave it waiting)");
+        List<String> pressed = panel.automaticPresses();
+        if (!pressed.isEmpty()) {
+            notes.add("keys pressed for the program while it waited: " + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
+                    + (pressed.size() > KEYS_NAMED ? " and " + (pressed.size() - KEYS_NAMED) + " more" : "")
+                    + " (--stimuli to press others, --buttons none to leave it waiting)");
         }
         return notes;
     }

@@ -1,6 +1,8 @@
 package brickless.device.panel;
 
 import brickless.device.panel.PanelListener.KeyOrigin;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.OptionalLong;
 
 /**
@@ -11,6 +13,11 @@ import java.util.OptionalLong;
 public final class ButtonPolicy {
     /** How long a wait must last before it is answered, in nanoseconds. */
     public static final long PATIENCE_NANOS = 1_000_000_000;
+    /**
+     * Each wait is answered so much later than the one before, in nanoseconds: of two threads that look every 50 ms not always the same one
+     * sees the press first.
+     */
+    public static final long LATER_NANOS = 7_000_000;
     /** How long a program must ask for a key, and its motors rest, before it is pressed, in nanoseconds. Assumption. */
     public static final long ASKED_PATIENCE_NANOS = 3_000_000_000L;
     /** Length of an automatic press in nanoseconds; a key that was asked for is held until the program has looked at it again. */
@@ -20,10 +27,12 @@ public final class ButtonPolicy {
 
     private static final int[] CYCLE = {2, 8, 16, 4, 1};
     private static final int NOTHING = 0;
+    /** After so many presses the delays begin anew: the eighth is one of 49 ms. */
+    private static final int PERIOD = 8;
 
     private final KeyPad keys;
     private final Circumstances around;
-    private int presses;
+    private final List<Integer> presses = new ArrayList<>();
     private int next;
     private int holding = NOTHING;
     private boolean holdingForQuestion;
@@ -64,7 +73,7 @@ public final class ButtonPolicy {
 
     private boolean waited(long nowNanos) {
         OptionalLong since = keys.waitingSince();
-        return since.isPresent() && nowNanos - since.getAsLong() >= PATIENCE_NANOS;
+        return since.isPresent() && nowNanos - since.getAsLong() >= PATIENCE_NANOS + presses.size() % PERIOD * LATER_NANOS;
     }
 
     /** Presses the next key of the cycle that is wanted, if one is. */
@@ -73,7 +82,7 @@ public final class ButtonPolicy {
             int key = CYCLE[(next + i) % CYCLE.length];
             if ((wanted & key) != 0) {
                 next += i + 1;
-                presses++;
+                presses.add(key);
                 holding = key;
                 holdingForQuestion = forQuestion;
                 pressedAtNanos = nowNanos;
@@ -92,8 +101,8 @@ public final class ButtonPolicy {
         }
     }
 
-    /** Number of automatic presses so far. */
-    public int presses() {
-        return presses;
+    /** Keys pressed so far, in order. */
+    public List<Integer> presses() {
+        return List.copyOf(presses);
     }
 }

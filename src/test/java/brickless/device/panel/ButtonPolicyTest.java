@@ -46,7 +46,7 @@ class ButtonPolicyTest {
         assertThat(nextKey()).isEqualTo(2);
         assertThat(bench.millis()).isBetween(1200.0, 1203.0);
         assertThat(bench.events()).containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
-        assertThat(policy.presses()).isOne();
+        assertThat(policy.presses()).containsExactly(2);
     }
 
     @Test
@@ -54,7 +54,7 @@ class ButtonPolicyTest {
         stepUntil(10_000);
         List<Integer> keys = List.of(nextKey(), nextKey(), nextKey(), nextKey(), nextKey(), nextKey());
         assertThat(keys).containsExactly(2, 8, 16, 4, 1, 2);
-        assertThat(bench.millis()).as("each a second after the release before").isBetween(7200.0, 7220.0);
+        assertThat(bench.millis()).as("each a second after the release before, and 7 ms later each time").isBetween(7305.0, 7330.0);
     }
 
     @Test
@@ -63,7 +63,7 @@ class ButtonPolicyTest {
         scheduled = true;
         bench.at(4000, () -> scheduled = false).pressAt(4000, 32, 100);
         assertThat(nextKey()).isEqualTo(32);
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
     }
 
     @Test
@@ -72,7 +72,7 @@ class ButtonPolicyTest {
         bench.pressAt(4000, 32, 100);
         bench.keys.awaitListenerEvent(0);
         assertThat(bench.millis()).isGreaterThan(3999);
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
     }
 
     private void pause(long millis) {
@@ -110,7 +110,7 @@ class ButtonPolicyTest {
     void escapeAloneIsNeverPressed() throws InterruptedException {
         stepUntil(10_000);
         assertThat(askUntilDown(32, 20, 9000)).isNaN();
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
     }
 
     @Test
@@ -139,6 +139,6 @@ class ButtonPolicyTest {
         motorsRest = true;
         stimuli = true;
         assertThat(askUntilDown(2, 20, 10_000)).isNaN();
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
     }
 }
