@@ -27,6 +27,9 @@ public final class ButtonPolicy {
 
     private static final int[] CYCLE = {2, 8, 16, 4, 1};
     private static final int NOTHING = 0;
+    private static final long NEVER = Long.MAX_VALUE;
+    /** leJOS looks twice, 10 ms apart: so long a key is still held after the program has looked. Assumption. */
+    private static final long DEBOUNCE_NANOS = 50_000_000;
     /** After so many presses the delays begin anew: the eighth is one of 49 ms. */
     private static final int PERIOD = 8;
 
@@ -37,6 +40,7 @@ public final class ButtonPolicy {
     private int holding = NOTHING;
     private boolean holdingForQuestion;
     private long pressedAtNanos;
+    private long lookedAtNanos;
     private long lastTurnedNanos;
 
     /** What happens around the keys. */
@@ -86,6 +90,7 @@ public final class ButtonPolicy {
                 holding = key;
                 holdingForQuestion = forQuestion;
                 pressedAtNanos = nowNanos;
+                lookedAtNanos = NEVER;
                 keys.hold(key, true, KeyOrigin.POLICY);
                 return;
             }
@@ -94,7 +99,10 @@ public final class ButtonPolicy {
 
     private void release(long nowNanos) {
         long held = nowNanos - pressedAtNanos;
-        boolean noticed = !holdingForQuestion || keys.questions().askedAfter(holding, pressedAtNanos);
+        if (lookedAtNanos == NEVER && keys.questions().askedAfter(holding, pressedAtNanos)) {
+            lookedAtNanos = nowNanos;
+        }
+        boolean noticed = !holdingForQuestion || nowNanos - lookedAtNanos >= DEBOUNCE_NANOS;
         if (held >= PRESS_NANOS && noticed || held >= LONGEST_PRESS_NANOS) {
             keys.hold(holding, false, KeyOrigin.POLICY);
             holding = NOTHING;
