@@ -159,7 +159,7 @@ final class RunOptions {
 
     /** The command that runs the same with another seed, stimuli from another file, and another limit. */
     String commandLine(Duration until, long otherSeed, Path stimuliFile) {
-        StringBuilder words = new StringBuilder("brickless run ").append(program);
+        StringBuilder words = new StringBuilder("brickless run ").append(quoted(program));
         append(words, "--main", main);
         append(words, "--classpath", classPath.isEmpty() ? null : classPath);
         append(words, "--world", world.equals("pen") ? null : world);
@@ -175,8 +175,12 @@ final class RunOptions {
 
     private static void append(StringBuilder words, String option, String value) {
         if (value != null) {
-            words.append(' ').append(option).append(' ').append(value.contains(" ") ? "'" + value + "'" : value);
+            words.append(' ').append(option).append(' ').append(quoted(value));
         }
+    }
+
+    private static String quoted(String word) {
+        return word.contains(" ") ? "'" + word + "'" : word;
     }
 
     private static final class PositiveDuration implements ITypeConverter<Duration> {

@@ -68,6 +68,16 @@ public final class RobotDevices {
         return motors[port];
     }
 
+    /** Whether no motor turns or is driven. */
+    public boolean motorsRest() {
+        for (MotorDevice motor : motors) {
+            if (!motor.rests()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Input port 0 to 3. */
     public SensorPortDevice sensor(int port) {
         return sensors[port];

@@ -2,8 +2,21 @@ package brickless.hardware;
 
 /** The keys as a bit mask: UP 1, ENTER 2, DOWN 4, RIGHT 8, LEFT 16, ESCAPE 32. */
 public interface KeySocket {
+    /** All keys. */
+    int ALL_KEYS = 0x3f;
+
     /** Keys that are down now, physical and simulated together. Does not block. */
-    int pressed();
+    default int pressed() {
+        return pressed(ALL_KEYS);
+    }
+
+    /**
+     * Keys that are down now, for a program that asks for some of them. Does not block.
+     *
+     * @param asked keys the program asks for: somebody may press one for a program that asks in vain
+     * @return all keys that are down, also others than those
+     */
+    int pressed(int asked);
 
     /**
      * Blocks until {@link #pressed()} differs from {@code known}.

@@ -16,11 +16,17 @@ import java.util.stream.Stream;
  * @param mainClass binary name of the class with the main method; empty: unknown
  * @param classPath directories and jars with its classes, in order; empty: they are on the application's own class path
  * @param temporary directory of classes compiled for this run, removed by {@link #close()}
+ * @param remark what the user should know about how the program was found; empty: nothing
  */
-public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary)
+public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary, Optional<String> remark)
         implements AutoCloseable {
     public Program {
         classPath = List.copyOf(classPath);
+    }
+
+    /** A program about which there is nothing to remark. */
+    public Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary) {
+        this(name, mainClass, classPath, temporary, Optional.empty());
     }
 
     /** A program whose classes are on the application's own class path, as in a test. */
@@ -39,7 +45,11 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
     }
 
     Program compiledInto(Path directory) {
-        return new Program(name, mainClass, classPath, Optional.of(directory));
+        return new Program(name, mainClass, classPath, Optional.of(directory), remark);
+    }
+
+    Program remarking(String text) {
+        return new Program(name, mainClass, classPath, temporary, Optional.of(text));
     }
 
     @Override

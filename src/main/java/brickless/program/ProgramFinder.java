@@ -6,8 +6,12 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
@@ -116,19 +120,50 @@ public final class ProgramFinder {
     }
 
     private Program fromDirectory(Path path, String name) throws ProgramException, IOException {
+        List<Path> libraries = filesEndingIn(path, ".jar");
         List<Path> sources = filesEndingIn(path, ".java");
         if (sources.isEmpty()) {
-            return choose(path, name);
+            return choose(path, libraries, name);
         }
-        return compiled(sources, target -> choose(target, name));
+        Set<Path> roots = SourceCompiler.rootsOf(sources);
+        try {
+            return compiled(sources, roots, libraries, target -> choose(target, libraries, name));
+        } catch (CompileException whole) {
+            return fromOneSource(sources, roots, libraries, name, whole);
+        }
+    }
+
+    /** A folder that does not compile as a whole may hold a program that does, beside broken files, tests, and programs for the PC. */
+    private Program fromOneSource(List<Path> sources, Set<Path> roots, List<Path> libraries, String name, CompileException whole)
+            throws ProgramException, IOException {
+        Map<String, Path> mains = new TreeMap<>();
+        for (Path source : sources) {
+            if (SourceCompiler.mayHaveMain(source)) {
+                mains.putIfAbsent(SourceCompiler.classOf(source), source);
+            }
+        }
+        wantedMain.ifPresent(wanted -> mains.keySet().retainAll(Set.of(wanted)));
+        if (!mainNeeded || mains.isEmpty()) {
+            throw whole;
+        }
+        if (mains.size() > 1) {
+            throw new ProgramException(whole.getMessage() + "\nThe rest may run: choose a main class with --main: " + String.join(", ", mains.keySet()));
+        }
+        Map.Entry<String, Path> main = mains.entrySet().iterator().next();
+        Set<Path> ownRootFirst = new LinkedHashSet<>(SourceCompiler.rootsOf(List.of(main.getValue())));
+        ownRootFirst.addAll(roots);
+        return compiled(List.of(main.getValue()), ownRootFirst, libraries, target -> checked(main.getKey(), libraries, target, name))
+                .remarking("compiled without the rest of " + name + ", which has errors: " + whole.getMessage().lines().findFirst().orElse(""));
     }
 
     /** Compiles into a temporary directory, which goes with the program, or at once if no program comes of it. */
-    private Program compiled(List<Path> sources, MainChoice choice) throws ProgramException, IOException {
+    private Program compiled(List<Path> sources, Set<Path> roots, List<Path> libraries, MainChoice choice) throws ProgramException, IOException {
         Path target = Files.createTempDirectory("brickless-classes");
         Program found = null;
         try {
-            new SourceCompiler(resolvedClassPath()).compile(sources, SourceCompiler.rootsOf(sources), target);
+            List<Path> all = new ArrayList<>(resolvedClassPath());
+            all.addAll(libraries);
+            new SourceCompiler(all).compile(sources, roots, target);
             found = choice.in(target).compiledInto(target);
             return found;
         } finally {
@@ -144,11 +179,9 @@ public final class ProgramFinder {
     }
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
-        String simple = path.getFileName().toString().replaceFirst("\\.java$", "");
-        String packageName = SourceCompiler.packageOf(path);
-        String own = packageName.isEmpty() ? simple : packageName + "." + simple;
-        return compiled(List.of(path), target -> wantedMain.isEmpty() && MainClasses.of(target).contains(own)
-                ? checked(own, List.of(target), name) : choose(target, name));
+        String own = SourceCompiler.classOf(path);
+        return compiled(List.of(path), SourceCompiler.rootsOf(List.of(path)), List.of(), target -> wantedMain.isEmpty()
+                && MainClasses.of(target).contains(own) ? checked(own, List.of(target), name) : choose(target, List.of(), name));
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
@@ -159,7 +192,7 @@ public final class ProgramFinder {
                 return checked(main.trim(), List.of(path), name);
             }
         }
-        return choose(path, name);
+        return choose(path, List.of(), name);
     }
 
     private Program fromClassFile(Path path, String name) throws ProgramException, IOException {
@@ -176,13 +209,13 @@ public final class ProgramFinder {
         return checked(wantedMain.orElse(className), List.of(root), name);
     }
 
-    private Program choose(Path classes, String name) throws ProgramException, IOException {
+    private Program choose(Path classes, List<Path> libraries, String name) throws ProgramException, IOException {
         List<String> mains = MainClasses.of(classes);
         if (wantedMain.isPresent()) {
-            return checked(wantedMain.get(), List.of(classes), name);
+            return checked(wantedMain.get(), libraries, classes, name);
         }
         if (!mainNeeded) {
-            return withClassPath(name, "", List.of(classes));
+            return withClassPath(name, "", with(classes, libraries));
         }
         if (mains.isEmpty()) {
             throw new ProgramException(name + ": no class with a public static void main(String[])");
@@ -191,7 +224,17 @@ public final class ProgramFinder {
             throw new ProgramException(name + ": several main classes, choose one with --main: "
                     + String.join(", ", mains));
         }
-        return checked(mains.get(0), List.of(classes), name);
+        return checked(mains.get(0), libraries, classes, name);
+    }
+
+    private Program checked(String main, List<Path> libraries, Path classes, String name) throws ProgramException, IOException {
+        return checked(main, with(classes, libraries), name);
+    }
+
+    private static List<Path> with(Path classes, List<Path> libraries) {
+        List<Path> all = new ArrayList<>(List.of(classes));
+        all.addAll(libraries);
+        return all;
     }
 
     private Program checked(String main, List<Path> entries, String name) throws ProgramException, IOException {

@@ -1,9 +1,12 @@
 package brickless.program;
 
+import brickless.loading.MainClasses;
+import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.ProviderNotFoundException;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,7 +31,9 @@ import javax.tools.ToolProvider;
  */
 final class SourceCompiler {
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
-    private static final int MESSAGES_SHOWN = 10;
+
+    private static final Pattern COMMENT = Pattern.compile("//.*|(?s:/\\*.*?\\*/)");
+    private static final Pattern MAIN = Pattern.compile("\\bvoid\\s+main\\s*\\(");
 
     private final List<Path> classPath;
 
@@ -43,28 +48,23 @@ final class SourceCompiler {
             throw new ProgramException(
                     "no Java compiler here: run with a JDK instead of a JRE, or give compiled classes");
         }
-        List<Diagnostic<? extends JavaFileObject>> asJava8 = attempt(compiler, sources, roots, target,
-                List.of("--release", "8"));
-        if (asJava8.isEmpty()) {
+        CompileErrors asJava8 = attempt(compiler, sources, roots, target, List.of("--release", "8"));
+        if (asJava8.count() == 0) {
             return;
         }
-        List<Diagnostic<? extends JavaFileObject>> asNewest = attempt(compiler, sources, roots, target, List.of());
-        if (!asNewest.isEmpty()) {
-            throw new ProgramException(describe(asNewest.size() <= asJava8.size() ? asNewest : asJava8));
+        CompileErrors asNewest = attempt(compiler, sources, roots, target, List.of());
+        if (asNewest.count() > 0) {
+            throw new CompileException((asNewest.count() <= asJava8.count() ? asNewest : asJava8).text());
         }
     }
 
-    private List<Diagnostic<? extends JavaFileObject>> attempt(JavaCompiler compiler, List<Path> sources,
-            Set<Path> roots, Path target, List<String> rules) throws IOException {
+    private CompileErrors attempt(JavaCompiler compiler, List<Path> sources, Set<Path> roots, Path target,
+            List<String> rules) throws IOException {
         DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null)) {
             files.setLocationFromPaths(StandardLocation.CLASS_OUTPUT, List.of(target));
             files.setLocationFromPaths(StandardLocation.SOURCE_PATH, roots);
-            List<Path> libraries = new ArrayList<>(classPath);
-            for (String entry : System.getProperty("java.class.path").split(java.io.File.pathSeparator)) {
-                libraries.add(Path.of(entry));
-            }
-            files.setLocationFromPaths(StandardLocation.CLASS_PATH, libraries);
+            files.setLocationFromPaths(StandardLocation.CLASS_PATH, libraries());
             List<String> options = new ArrayList<>(List.of("-g", "-nowarn", "-proc:none", "-Xlint:none"));
             options.addAll(rules);
             StringWriter rest = new StringWriter();
@@ -72,31 +72,31 @@ final class SourceCompiler {
             boolean fine = compiler.getTask(rest, lenient, messages, options, null,
                     lenient.wrap(files.getJavaFileObjectsFromPaths(sources))).call();
             if (fine) {
-                return List.of();
+                return new CompileErrors(List.of());
             }
         }
-        return messages.getDiagnostics().stream()
-                .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList();
+        return new CompileErrors(messages.getDiagnostics().stream().filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
     }
 
-    private static String describe(List<Diagnostic<? extends JavaFileObject>> errors) {
-        StringBuilder text = new StringBuilder();
-        for (Diagnostic<? extends JavaFileObject> error : errors.subList(0, Math.min(MESSAGES_SHOWN, errors.size()))) {
-            if (error.getSource() != null) {
-                text.append(shortest(Path.of(error.getSource().toUri()))).append(':').append(error.getLineNumber())
-                        .append(": ");
-            }
-            text.append("error: ").append(error.getMessage(Locale.ROOT).replaceAll("\\R\\s*", "; ")).append('\n');
+    /** Our leJOS before one that the program brings along, as when it runs; then the program's libraries. */
+    private List<Path> libraries() {
+        List<Path> ours = new ArrayList<>();
+        for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+            ours.add(Path.of(entry));
         }
-        if (errors.size() > MESSAGES_SHOWN) {
-            text.append("… and ").append(errors.size() - MESSAGES_SHOWN).append(" more errors\n");
-        }
-        return text.toString().stripTrailing();
+        Path lejos = ours.stream().filter(SourceCompiler::holdsLejos).findFirst().orElse(ours.get(0));
+        Set<Path> all = new LinkedHashSet<>(List.of(lejos));
+        all.addAll(classPath);
+        all.addAll(ours);
+        return List.copyOf(all);
     }
 
-    private static Path shortest(Path file) {
-        Path here = Path.of("").toAbsolutePath();
-        return file.startsWith(here) ? here.relativize(file) : file;
+    private static boolean holdsLejos(Path entry) {
+        try {
+            return Files.exists(entry) && MainClasses.contains(entry, "lejos.hardware.Brick");
+        } catch (IOException | ProviderNotFoundException e) {
+            return false;
+        }
     }
 
     /** The directories that the packages of the sources hang from, in order. */
@@ -116,6 +116,18 @@ final class SourceCompiler {
             roots.add(root);
         }
         return roots;
+    }
+
+    /** Binary name of the class that a source file is named after. */
+    static String classOf(Path source) throws IOException {
+        String simple = source.getFileName().toString().replaceFirst("\\.java$", "");
+        String packageName = packageOf(source);
+        return packageName.isEmpty() ? simple : packageName + "." + simple;
+    }
+
+    /** Whether a source file looks as if it had a main method. */
+    static boolean mayHaveMain(Path source) throws IOException {
+        return MAIN.matcher(COMMENT.matcher(LenientSourceFiles.decode(Files.readAllBytes(source))).replaceAll(" ")).find();
     }
 
     /** The package a source file declares, empty for none. */

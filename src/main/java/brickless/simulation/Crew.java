@@ -98,6 +98,6 @@ final class Crew implements AutoCloseable {
     }
 
     private static HardwareHints hints(Program program) {
-        return HintFinder.find(new ProgramClasses(program).files());
+        return HintFinder.find(new ProgramClasses(program).ofMain());
     }
 }

@@ -69,9 +69,9 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     private static DriveFit declared(HardwareHints hints, List<HardwareHints.Wheel> wheels) {
         HardwareHints.Wheel left = wheels.get(0);
         HardwareHints.Wheel right = wheels.get(1);
-        double track = left.trackWidth()
-                .orElse(distance(left.offset(), right.offset())) * TyreSize.millimetresPerUnit(left.diameter());
-        return new DriveFit(declared(hints, left), declared(hints, right), plausible(track));
+        double track = left.trackWidth().orElse(distance(left.offset(), right.offset()));
+        double unit = TyreSize.millimetresPerUnit(left.diameter(), track);
+        return new DriveFit(declared(hints, left, unit), declared(hints, right, unit), plausible(track * unit));
     }
 
     private static double distance(OptionalDouble left, OptionalDouble right) {
@@ -79,9 +79,9 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
         return one + Math.abs(right.orElse(one));
     }
 
-    private static Wheel declared(HardwareHints hints, HardwareHints.Wheel wheel) {
-        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.millimetres(wheel.diameter()),
-                TyreSize.gearRatio(wheel.gearRatio()), hints.reversed().contains(wheel.port()));
+    private static Wheel declared(HardwareHints hints, HardwareHints.Wheel wheel, double unit) {
+        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.plausible(wheel.diameter() * unit), TyreSize.gearRatio(wheel.gearRatio()),
+                hints.reversed().contains(wheel.port()));
     }
 
     /** Left wheel first: by name if the names tell, else the one with the smaller offset, as most programs have it. */

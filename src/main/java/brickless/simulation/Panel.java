@@ -16,7 +16,6 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 
 /** The front of one robot's brick: screen, keys, LEDs and loudspeaker, and what of it goes into the trace. */
 final class Panel implements PanelListener {
@@ -31,7 +30,7 @@ final class Panel implements PanelListener {
     private long nextNanos;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
-    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, BooleanSupplier pressesToCome, Runnable endProgram) {
+    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around, Runnable endProgram) {
         this.robot = robot;
         this.recorder = recorder;
         keys = new KeyPad(processor, this);
@@ -39,7 +38,7 @@ final class Panel implements PanelListener {
         speaker = new Speaker(processor, this);
         screen = new ScreenPanel(processor, this);
         chords = new KeyChords(keys, screen, endProgram);
-        policy = pressKeys ? Optional.of(new ButtonPolicy(keys, pressesToCome)) : Optional.empty();
+        policy = pressKeys ? Optional.of(new ButtonPolicy(keys, around)) : Optional.empty();
     }
 
     KeyPad keys() {
@@ -58,9 +57,13 @@ final class Panel implements PanelListener {
         return screen;
     }
 
-    /** Number of keys pressed for the program. */
-    int automaticPresses() {
-        return policy.map(ButtonPolicy::presses).orElse(0);
+    /** Names of the keys pressed for the program, in order. */
+    List<String> automaticPresses() {
+        return policy.map(ButtonPolicy::presses).orElse(List.of()).stream().map(Panel::nameOf).toList();
+    }
+
+    private static String nameOf(int key) {
+        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow().getKey();
     }
 
     /** To be called at every physics step; most of the time nothing is due. */

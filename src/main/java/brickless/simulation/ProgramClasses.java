@@ -1,5 +1,7 @@
 package brickless.simulation;
 
+import brickless.loading.MainClasses;
+import brickless.loading.ReachableClasses;
 import brickless.program.Program;
 import java.io.IOException;
 import java.io.InputStream;
@@ -21,6 +23,17 @@ public final class ProgramClasses {
     /** Those of a program. */
     public ProgramClasses(Program program) {
         this.program = program;
+    }
+
+    /** Reads those that the main class leads to: a folder may hold other programs, for other robots. */
+    public List<byte[]> ofMain() {
+        return ReachableClasses.from(program.mainClass(), files().stream().filter(file -> !isOurs(file)).toList());
+    }
+
+    /** A library may bring leJOS along; ours is used instead. */
+    private static boolean isOurs(byte[] classFile) {
+        String name = MainClasses.nameOf(classFile).orElse("");
+        return name.startsWith("lejos.") && ProgramClasses.class.getResource("/" + name.replace('.', '/') + ".class") != null;
     }
 
     /** Reads them all. */

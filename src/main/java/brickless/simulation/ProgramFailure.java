@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.trace.Decimals;
+import java.awt.HeadlessException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -11,6 +12,8 @@ import java.util.Set;
 final class ProgramFailure {
     private static final List<String> FOREIGN = List.of("java.", "javax.", "jdk.", "sun.", "brickless.", "lejos.");
 
+    private static final String NO_WINDOWS = ": a brick has no windows, this part of the program is for a PC";
+
     private ProgramFailure() {}
 
     static String describe(String thread, Throwable failure, long timeNanos) {
@@ -18,7 +21,7 @@ final class ProgramFailure {
                 + Decimals.seconds(timeNanos) + " simulated seconds: ");
         Set<Throwable> seen = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Throwable each = failure; each != null && seen.add(each); each = each.getCause()) {
-            text.append(each == failure ? "" : "\nCaused by: ").append(each);
+            text.append(each == failure ? "" : "\nCaused by: ").append(each).append(each instanceof HeadlessException ? NO_WINDOWS : "");
             for (StackTraceElement frame : ownFrames(each)) {
                 text.append("\n\tat ").append(frame.getClassName()).append('.').append(frame.getMethodName())
                         .append('(').append(frame.getFileName())

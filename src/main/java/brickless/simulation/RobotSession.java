@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.device.RobotDevices;
+import brickless.device.panel.ButtonPolicy;
 import brickless.device.sensor.SensorPortDevice;
 import brickless.device.sensor.Surroundings;
 import brickless.files.BrickFiles;
@@ -19,9 +20,12 @@ import java.util.Optional;
 
 /** One robot of a run: its body, its devices and its brick, whatever processor its program runs on. */
 final class RobotSession {
+    private static final int KEYS_NAMED = 5;
+
     private final String name;
     private final RobotModel model;
     private final boolean fitted;
+    private final Optional<String> remark;
     private final RobotBody body;
     private final ProgramConsole console;
     private final Panel panel;
@@ -46,16 +50,16 @@ final class RobotSession {
         name = member.name();
         model = member.model();
         fitted = member.fitted();
+        remark = member.program().remark();
         body = arena.robot(name).orElseThrow();
         this.end = end;
         modes = new SensorModes((time, mode) -> recorder.event(time, name, mode));
         console = new ProgramConsole(name, recorder, settings.console(), processor::nowNanos, end::exit);
-        panel = new Panel(name, processor, recorder, settings.pressButtons(), stimulator::keyPressesToCome,
-                end::endByKeys);
+        panel = new Panel(name, processor, recorder, settings.pressButtons(), around(stimulator), end::endByKeys);
         panel.keys().setAttended(settings.attended());
         devices = new RobotDevices(body, surroundings, processor, open ? fitting : plugs, open ? fitting : plugs);
         if (open) {
-            HardwareHints hints = HintFinder.find(new ProgramClasses(member.program()).files());
+            HardwareHints hints = HintFinder.find(new ProgramClasses(member.program()).ofMain());
             fitting.plugMotors(hints.motors(), devices);
             guesses = fitted ? OwnDriver.describe(hints) : Optional.empty();
         }
@@ -73,6 +77,22 @@ final class RobotSession {
 
         /** Whether the program has ended, while the world goes on. */
         boolean over();
+    }
+
+    private ButtonPolicy.Circumstances around(Stimulator stimulator) {
+        return new ButtonPolicy.Circumstances() {
+            @Override public boolean keyPressesToCome() {
+                return stimulator.keyPressesToCome();
+            }
+
+            @Override public boolean stimuliToCome() {
+                return stimulator.hasMoreToDo();
+            }
+
+            @Override public boolean motorsRest() {
+                return devices.motorsRest();
+            }
+        };
     }
 
     /** The brick as the program sees it, with a log that passes on to {@link #console()}. */
@@ -182,6 +202,7 @@ final class RobotSession {
 
     List<String> notes() {
         List<String> notes = new ArrayList<>();
+        remark.ifPresent(notes::add);
         if (fitted) {
             notes.add(RobotFitter.describe(model));
         }
@@ -191,9 +212,11 @@ final class RobotSession {
         }
         notes.addAll(fitting.missing());
         notes.addAll(plugs.notes());
-        if (panel.automaticPresses() > 0) {
-            notes.add("keys pressed for the program while it waited: " + panel.automaticPresses()
-                    + " (--buttons none to leave it waiting)");
+        List<String> pressed = panel.automaticPresses();
+        if (!pressed.isEmpty()) {
+            notes.add("keys pressed for the program while it waited: " + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
+                    + (pressed.size() > KEYS_NAMED ? " and " + (pressed.size() - KEYS_NAMED) + " more" : "")
+                    + " (--stimuli to press others, --buttons none to leave it waiting)");
         }
         files.flatMap(WrittenFiles::describe).ifPresent(notes::add);
         return notes;

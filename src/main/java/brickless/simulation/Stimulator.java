@@ -45,6 +45,11 @@ final class Stimulator {
         return pressesToCome > 0;
     }
 
+    /** Whether any stimulus is still to come or to end. */
+    boolean hasMoreToDo() {
+        return !due.isEmpty();
+    }
+
     void add(Stimulus stimulus) {
         boolean press = (stimulus instanceof Stimulus.On on ? on.what() : stimulus) instanceof Stimulus.Press;
         pressesToCome += press ? 1 : 0;

@@ -1,5 +1,7 @@
 package brickless.simulation;
 
+import java.util.stream.DoubleStream;
+
 /** What a program's numbers for wheels mean: it does not say in which unit they are, but tyres come in few sizes. */
 final class TyreSize {
     /** Tyre of the EV3 core set. */
@@ -28,9 +30,19 @@ final class TyreSize {
 
     /** The unit of length in which a diameter comes closest to a tyre that exists; centimetres win ties. */
     static double millimetresPerUnit(double diameter) {
-        double best = MILLIMETRES_PER_UNIT[0];
+        return closest(diameter, MILLIMETRES_PER_UNIT);
+    }
+
+    /** The same, of the units in which the distance between the wheels fits a robot, if there are any: 3.28 and 19 are not inches. */
+    static double millimetresPerUnit(double diameter, double track) {
+        double[] fitting = DoubleStream.of(MILLIMETRES_PER_UNIT).filter(unit -> DriveFit.isTrack(track * unit)).toArray();
+        return closest(diameter, fitting.length == 0 ? MILLIMETRES_PER_UNIT : fitting);
+    }
+
+    private static double closest(double diameter, double[] units) {
+        double best = units[0];
         double error = Double.POSITIVE_INFINITY;
-        for (double unit : MILLIMETRES_PER_UNIT) {
+        for (double unit : units) {
             for (double tyre : TYRES) {
                 double ratio = Math.abs(StrictMath.log(diameter * unit / tyre));
                 if (ratio < error - 1e-9) {

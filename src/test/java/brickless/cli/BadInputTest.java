@@ -88,7 +88,10 @@ class BadInputTest {
     void programWithAClassThatLeJosDoesNotHave() {
         Path broken = write("Broken.java", "import lejos.hardware.Teleporter;\nclass Broken { public static void "
                 + "main(String[] a) { } }\n");
-        assertThat(refused(broken)).contains("Broken.java:1: error: cannot find symbol").contains("class Teleporter");
+        CommandLineRun run = CommandLineRun.of("run", broken, "--out", out);
+        assertThat(run.status()).isEqualTo(2);
+        assertThat(run.err().lines()).hasSize(2).first().asString().contains("Broken.java:1: error: cannot find symbol").contains("class Teleporter");
+        assertThat(run.err()).contains("Not in Brickless' leJOS: lejos.hardware.Teleporter.");
     }
 
     @Test

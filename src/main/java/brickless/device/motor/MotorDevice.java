@@ -23,6 +23,9 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     public static final long CONTROL_NANOS = 4_000_000;
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double FULL_DUTY = 100;
+    /** Slower, and driven less, a motor rests: less than friction needs. Assumptions. */
+    private static final double RESTING_DEGREES_PER_SECOND = 2;
+    private static final double RESTING_DUTY_PERCENT = 5;
 
     private final int port;
     private final Shaft shaft;
@@ -256,6 +259,11 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
     /** Duty of the bridge, −100 to 100; 0 when braking, coasting or empty. */
     public double dutyPercent() {
         return motor == null ? 0 : motor.duty() * FULL_DUTY;
+    }
+
+    /** Whether the motor neither turns nor is driven; holding a position without load counts as rest. */
+    public boolean rests() {
+        return Math.abs(shaftDegreesPerSecond()) < RESTING_DEGREES_PER_SECOND && Math.abs(dutyPercent()) < RESTING_DUTY_PERCENT;
     }
 
     /** Winding current, amperes, signed. */

@@ -7,13 +7,11 @@ import java.util.OptionalLong;
 
 /** The six keys: what presses them from outside, and the program threads that wait for them. */
 public final class KeyPad implements KeySocket {
-    /** All keys. */
-    public static final int ALL_KEYS = 0x3f;
-
     private final Processor processor;
     private final Processor.Signal changed;
     private final PanelListener listener;
     private final KeyWait programWait = new KeyWait();
+    private final KeyQuestions questions = new KeyQuestions();
     private int held;
     private int simulated;
     private boolean attended;
@@ -26,8 +24,9 @@ public final class KeyPad implements KeySocket {
     }
 
     @Override
-    public int pressed() {
+    public int pressed(int asked) {
         processor.charge(PanelCharges.KEY_READ_NANOS);
+        questions.ask(asked, processor.nowNanos());
         return state();
     }
 
@@ -95,6 +94,11 @@ public final class KeyPad implements KeySocket {
         return programWait.earliest(nowNanos);
     }
 
+    /** What the program asks for when it looks at the keys without waiting. */
+    KeyQuestions questions() {
+        return questions;
+    }
+
     void hold(int keyMask, boolean down, KeyOrigin origin) {
         int before = state();
         synchronized (this) {
@@ -114,6 +118,7 @@ public final class KeyPad implements KeySocket {
         }
         long now = processor.nowNanos();
         programWait.restart(now);
+        questions.restart(now);
         if ((after & ~before) != 0) {
             listener.keysChanged(now, after & ~before, true, origin);
         }
@@ -125,7 +130,8 @@ public final class KeyPad implements KeySocket {
 
     private int blockWhile(int known, long timeoutNanos) throws InterruptedException {
         long deadline = processor.nowNanos() + timeoutNanos;
-        int now = pressed();
+        processor.charge(PanelCharges.KEY_READ_NANOS);
+        int now = state();
         while (now == known) {
             long left = timeoutNanos == 0 ? 0 : deadline - processor.nowNanos();
             if (left < 0 || timeoutNanos != 0 && left == 0 || !changed.awaitInterruptibly(left)) {

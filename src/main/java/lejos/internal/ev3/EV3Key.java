@@ -31,7 +31,7 @@ public class EV3Key implements Key {
 
     @Override
     public boolean isDown() {
-        return (keys.readButtons() & id) != 0;
+        return (keys.readButtons(id) & id) != 0;
     }
 
     @Override

@@ -89,11 +89,15 @@ public class EV3Keys implements Keys {
 
     @Override
     public int getButtons() {
+        return getButtons(ID_ALL);
+    }
+
+    private static int getButtons(int asked) {
         KeySocket socket = BrickAccess.brick().keys();
-        int state = socket.pressed();
+        int state = socket.pressed(asked);
         while (state != 0) {
             Delay.msDelay(DEBOUNCE_MILLIS);
-            int again = socket.pressed();
+            int again = socket.pressed(asked);
             if (again == state) {
                 return state;
             }
@@ -104,7 +108,12 @@ public class EV3Keys implements Keys {
 
     @Override
     public int readButtons() {
-        int state = getButtons();
+        return readButtons(ID_ALL);
+    }
+
+    /** Reads all keys because the program asks for some. */
+    int readButtons(int asked) {
+        int state = getButtons(asked);
         int pressed = state & ~knownToReads;
         knownToReads = state;
         if (pressed != 0) {

@@ -12,7 +12,21 @@ class ButtonPolicyTest {
 
     private final PanelBench bench = new PanelBench();
     private boolean scheduled;
-    private final ButtonPolicy policy = new ButtonPolicy(bench.keys, () -> scheduled);
+    private boolean stimuli;
+    private boolean motorsRest = true;
+    private final ButtonPolicy policy = new ButtonPolicy(bench.keys, new ButtonPolicy.Circumstances() {
+        @Override public boolean keyPressesToCome() {
+            return scheduled;
+        }
+
+        @Override public boolean stimuliToCome() {
+            return stimuli;
+        }
+
+        @Override public boolean motorsRest() {
+            return motorsRest;
+        }
+    });
 
     private void stepUntil(long millis) {
         for (long at = (long) bench.millis() + 1; at <= millis; at++) {
@@ -34,7 +48,7 @@ class ButtonPolicyTest {
         assertThat(nextKey()).isEqualTo(2);
         assertThat(bench.millis()).isBetween(1200.0, 1203.0);
         assertThat(bench.events()).containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
-        assertThat(policy.presses()).isOne();
+        assertThat(policy.presses()).containsExactly(2);
     }
 
     @Test
@@ -42,7 +56,7 @@ class ButtonPolicyTest {
         stepUntil(10_000);
         List<Integer> keys = List.of(nextKey(), nextKey(), nextKey(), nextKey(), nextKey(), nextKey());
         assertThat(keys).containsExactly(2, 8, 16, 4, 1, 2);
-        assertThat(bench.millis()).as("each a second after the release before").isBetween(7200.0, 7220.0);
+        assertThat(bench.millis()).as("each a second after the release before, and 7 ms later each time").isBetween(7305.0, 7330.0);
     }
 
     @Test
@@ -51,7 +65,7 @@ class ButtonPolicyTest {
         scheduled = true;
         bench.at(4000, () -> scheduled = false).pressAt(4000, 32, 100);
         assertThat(nextKey()).isEqualTo(32);
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
     }
 
     @Test
@@ -60,7 +74,74 @@ class ButtonPolicyTest {
         bench.pressAt(4000, 32, 100);
         bench.keys.awaitListenerEvent(0);
         assertThat(bench.millis()).isGreaterThan(3999);
-        assertThat(policy.presses()).isZero();
+        assertThat(policy.presses()).isEmpty();
+    }
+
+    private void pause(long millis) {
+        bench.processor().charge(millis * MILLI);
+    }
+
+    /** Looks at a key every so often until it is down; gives up after a time. */
+    private double askUntilDown(int key, long everyMillis, long atMostMillis) throws InterruptedException {
+        while (bench.millis() < atMostMillis) {
+            if ((bench.keys.pressed(key) & key) != 0) {
+                return bench.millis();
+            }
+            pause(everyMillis);
+        }
+        return Double.NaN;
+    }
+
+    @Test
+    void aKeyThatIsAskedForThreeSecondsIsPressed() throws InterruptedException {
+        stepUntil(6000);
+        assertThat(askUntilDown(4, 20, 6000)).isBetween(3000.0, 3030.0);
+        assertThat(bench.events()).containsExactly("key 4 down by POLICY");
+    }
+
+    @Test
+    void ofTheKeysAskedForTheNextOfTheCycleIsPressed() throws InterruptedException {
+        stepUntil(12_000);
+        askUntilDown(1 | 8, 20, 12_000);
+        pause(250);
+        askUntilDown(1 | 8, 20, 12_000);
+        assertThat(bench.events()).containsExactly("key 8 down by POLICY", "key 8 up by POLICY", "key 1 down by POLICY");
+    }
+
+    @Test
+    void escapeAloneIsNeverPressed() throws InterruptedException {
+        stepUntil(10_000);
+        assertThat(askUntilDown(32, 20, 9000)).isNaN();
+        assertThat(policy.presses()).isEmpty();
+    }
+
+    @Test
+    void aProgramThatLooksEachSecondFindsTheKeyStillDown() throws InterruptedException {
+        stepUntil(9000);
+        assertThat(askUntilDown(2, 1000, 9000)).isBetween(3000.0, 4100.0);
+        pause(300);
+        assertThat(bench.events()).as("let go once the program has seen it").containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
+    }
+
+    @Test
+    void aKeyNobodyLooksAtAgainIsLetGo() throws InterruptedException {
+        stepUntil(12_000);
+        bench.at(3001, () -> motorsRest = true);
+        motorsRest = false;
+        askUntilDown(2, 20, 5900);
+        pause(6000);
+        assertThat(bench.events()).containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
+    }
+
+    @Test
+    void whileAMotorTurnsOrStimuliAreToComeNothingIsPressed() throws InterruptedException {
+        stepUntil(12_000);
+        motorsRest = false;
+        assertThat(askUntilDown(2, 20, 5000)).isNaN();
+        motorsRest = true;
+        stimuli = true;
+        assertThat(askUntilDown(2, 20, 10_000)).isNaN();
+        assertThat(policy.presses()).isEmpty();
     }
 
     /** The policy does not look all the time, but no wait is answered late for that: begun early or late between two looks. */
