@@ -28,6 +28,7 @@ import programs.files.Gifts;
 import programs.files.OddNames;
 import programs.files.OtherPrograms;
 import programs.files.PathsTour;
+import programs.files.Picture;
 import programs.files.RandomAccess;
 import programs.files.StreamsTour;
 
@@ -37,6 +38,9 @@ class ProgramFilesTest {
     private static final List<Path> NAMES_OF_THE_PROGRAMS =
             Stream.of("drive.log", "a.txt", "data.bin", "log.txt", "table.bin", "host.txt", "new.txt",
             "small", "Case").map(Path::of).toList();
+
+    private static final String REFUSED = "this class of the JDK opens files by itself, which it cannot on a simulated "
+            + "brick; give it a stream, or use another class";
 
     @TempDir Path folder;
     @TempDir Path gifts;
@@ -128,8 +132,13 @@ class ProgramFilesTest {
         assertThat(printedBy(OtherPrograms.class))
                 .containsExactly("Cannot run program \"touch\": error=2, No such file or directory",
                 "Cannot run program \"touch\": error=2, No such file or directory",
-                "x.zip: this class of the JDK opens files by itself, which it cannot on a simulated brick; give it a "
-                + "stream, if it takes one");
+                REFUSED, REFUSED, REFUSED, REFUSED);
+    }
+
+    @Test void picturesAreFilesOfTheBrick() throws DescriptionException {
+        Run run = run(Picture.class, settings().build());
+        assertThat(run.robot().printedLines()).containsExactly("true 3 by 2, red ff0000");
+        assertThat(run.robot().filesWritten()).containsExactly("picture.png");
     }
 
     @Test void everyRunHasAFreshBrick() throws DescriptionException {

@@ -76,6 +76,9 @@ class HostFilesTest {
     }
 
     @Test void jdkClassesMayOpenFilesByThemselves() {
-        assertThat(FileHooks.hostFile("x.zip")).isEqualTo("x.zip");
+        assertThat(FileHooks.hostOnly("x.zip")).isEqualTo("x.zip");
+        assertThat(FileHooks.hostOnly(new File("x.zip"))).isEqualTo(new File("x.zip"));
+        assertThat(FileHooks.hostOnly(true)).isTrue();
+        assertThat(FileHooks.hostOnly(7)).isEqualTo(7);
     }
 }
