@@ -1,6 +1,6 @@
 #!/bin/sh
 # Front door of the build: finds a Gradle and a JDK that fit together on this machine, then runs the build.
-#   1. the Gradle pinned in gradle/wrapper/gradle-wrapper.properties, if installed or downloadable
+#   0. the Gradle that BRICKLESS_GRADLE names   1. the one pinned in gradle/wrapper/gradle-wrapper.properties, if installed or downloadable
 #   2. else `gradle` on the PATH   3. else Debian's package   4. else one clear line
 # `./gradlew simulate` passes the simulation's own exit status on (0 fine, 1 the program failed, 2 bad input).
 # `path/to/gradlew -p DIR …` builds another project with the same Gradle and JDK.
@@ -28,7 +28,8 @@ download_pinned() {
         unzip -q -o "$dists/brickless.part/dist.zip" -d "$dists/brickless.part" &&
         rm "$dists/brickless.part/dist.zip" && mv "$dists/brickless.part" "$dists/brickless"
 }
-gradle=$(find_pinned)
+gradle=${BRICKLESS_GRADLE:-}
+if [ -z "$gradle" ]; then gradle=$(find_pinned); fi
 if [ -z "$gradle" ] && [ "${BRICKLESS_OFFLINE:-}" != true ] && download_pinned; then gradle=$(find_pinned); fi
 if [ -z "$gradle" ]; then gradle=$(command -v gradle || true); fi
 if [ -z "$gradle" ] && command -v apt-get >/dev/null 2>&1 && [ "$(id -u)" = 0 ]; then
@@ -38,22 +39,26 @@ if [ -z "$gradle" ] && command -v apt-get >/dev/null 2>&1 && [ "$(id -u)" = 0 ];
 fi
 [ -n "$gradle" ] || fail "no Gradle: the pinned one cannot be downloaded ($url) and none is on the PATH; install Gradle 8 or newer, or Debian's 'gradle' package"
 
-# ---- which JDK: Gradle 4 runs its compiler on 17 only, newer ones on 17 and later
-case "$gradle" in
-    "$dists"/*) oldest=17 newest=25 ;;
-    *) if [ -d /usr/share/gradle/lib ] && ls /usr/share/gradle/lib/gradle-core-4.* >/dev/null 2>&1; then oldest=17 newest=20; else oldest=17 newest=25; fi ;;
+# ---- which JDK: every Gradle since 7.3 runs on 17, many on no JDK younger than themselves; Debian's 4.4.1 compiles on 17 to 20
+oldest=17
+case "$(readlink -f "$gradle")" in
+    "$dists"/*) ranges=25 ;;
+    /usr/share/gradle/*) ranges=20 ;;
+    *) ranges='21 25' ;;
 esac
 major() { "$1/bin/java" -XshowSettings:properties -version 2>&1 | sed -n 's/^ *java.specification.version = //p'; }
-fits() { [ -x "$1/bin/javac" ] && v=$(major "$1") && [ "${v%%.*}" -ge $oldest ] 2>/dev/null && [ "${v%%.*}" -le $newest ]; }
+fits() { [ -x "$1/bin/javac" ] && v=$(major "$1") && [ "${v%%.*}" -ge $oldest ] 2>/dev/null && [ "${v%%.*}" -le "$newest" ]; }
 pick_jdk() {
     on_path=$(command -v javac || true)
     [ -n "$on_path" ] && on_path=$(dirname "$(dirname "$(readlink -f "$on_path")")")
-    for jdk in "${JAVA_HOME:-}" "$on_path" /usr/lib/jvm/* /Library/Java/JavaVirtualMachines/*/Contents/Home "$HOME"/.sdkman/candidates/java/*; do
-        [ -n "$jdk" ] && fits "$jdk" && echo "$jdk" && return
+    for newest in $ranges; do
+        for jdk in "${JAVA_HOME:-}" "$on_path" /usr/lib/jvm/* /Library/Java/JavaVirtualMachines/*/Contents/Home "$HOME"/.sdkman/candidates/java/*; do
+            [ -n "$jdk" ] && fits "$jdk" && echo "$jdk" && return
+        done
     done
 }
 JAVA_HOME=$(pick_jdk)
-[ -n "$JAVA_HOME" ] || fail "no JDK from $oldest to $newest found for $gradle; set JAVA_HOME to one"
+[ -n "$JAVA_HOME" ] || fail "no JDK from $oldest to ${ranges##* } found for $gradle; set JAVA_HOME to one"
 export JAVA_HOME
 
 # ---- run

@@ -8,10 +8,9 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
-
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.PackageMatchers;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.PackageMatchers;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.Location;
 import java.io.IOException;
@@ -46,23 +45,31 @@ class ArchitectureTest {
         TABLE.put("brickless.loading", List.of("brickless.loading..", "brickless.kernel.hooks", "org.objectweb.asm.."));
         TABLE.put("brickless.units", List.of());
         TABLE.put("brickless.world", List.of("brickless.units"));
-        TABLE.put("brickless.world.svg", List.of("brickless.world", "brickless.units", "org.locationtech.jts..", "org.w3c..", "org.xml.."));
-        TABLE.put("brickless.physics", List.of("brickless.world", "brickless.units", "org.jbox2d..", "org.locationtech.jts.."));
-        TABLE.put("brickless.device", List.of("brickless.device..", "brickless.hardware", "brickless.physics", "brickless.kernel", "brickless.world", "brickless.units"));
+        TABLE.put("brickless.world.svg",
+                List.of("brickless.world", "brickless.units", "org.locationtech.jts..", "org.w3c..", "org.xml.."));
+        TABLE.put("brickless.physics",
+                List.of("brickless.world", "brickless.units", "org.jbox2d..", "org.locationtech.jts.."));
+        TABLE.put("brickless.device", List.of("brickless.device..", "brickless.hardware", "brickless.physics",
+                "brickless.kernel", "brickless.world", "brickless.units"));
         TABLE.put("brickless.trace", List.of("brickless.world", "brickless.units", "com.fasterxml.jackson.."));
         TABLE.put("brickless.program", List.of("brickless.loading"));
-        TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks", "brickless.loading..", "brickless.units",
-                "brickless.world..", "brickless.physics", "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
-        TABLE.put("brickless.junit", List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.world.svg",
-                "org.junit.jupiter.api..", "org.junit.platform.commons.support", "org.opentest4j"));
+        TABLE.put("brickless.simulation", List.of("brickless.hardware", "brickless.kernel", "brickless.kernel.hooks",
+                "brickless.loading..", "brickless.units", "brickless.world..", "brickless.physics",
+                "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
+        TABLE.put("brickless.junit",
+                List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.world.svg",
+                        "org.junit.jupiter.api..", "org.junit.platform.commons.support", "org.opentest4j"));
         TABLE.put("brickless.junit.brick", List.of("org.junit.jupiter.api", "org.junit.platform.commons.support"));
-        TABLE.put("brickless.viewer", List.of("brickless.simulation", "brickless.program", "brickless.trace", "brickless.world",
+        TABLE.put("brickless.viewer",
+                List.of("brickless.simulation", "brickless.program", "brickless.trace", "brickless.world",
                 "com.sun.net.httpserver"));
-        TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program", "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
+        TABLE.put("brickless.cli", List.of("brickless.kernel", "brickless.simulation", "brickless.program",
+                "brickless.world", "brickless.trace", "brickless.loading", "brickless.viewer",
                 "picocli..", "org.slf4j.."));
     }
 
-    @BeforeAll static void importClasses() {
+    @BeforeAll
+    static void importClasses() {
         all = new ClassFileImporter().importLocations(List.of(Location.of(mainClasses())));
         assertThat(all.size()).as("classes found").isGreaterThan(100);
     }
@@ -75,15 +82,18 @@ class ArchitectureTest {
         }
     }
 
-    @TestFactory Stream<DynamicTest> everyPackageUsesOnlyWhatItsRowAllows() {
-        return TABLE.entrySet().stream().map(row -> DynamicTest.dynamicTest(row.getKey(), () -> check(row.getKey(), row.getValue())));
+    @TestFactory
+    Stream<DynamicTest> everyPackageUsesOnlyWhatItsRowAllows() {
+        return TABLE.entrySet().stream()
+                .map(row -> DynamicTest.dynamicTest(row.getKey(), () -> check(row.getKey(), row.getValue())));
     }
 
     private static void check(String name, List<String> allowed) {
         List<String> targets = new ArrayList<>(allowed);
         targets.addAll(List.of(JDK));
         targets.add(name);
-        List<String> ownRows = TABLE.keySet().stream().filter(other -> other.startsWith(name + ".")).map(other -> other + "..").toList();
+        List<String> ownRows = TABLE.keySet().stream().filter(other -> other.startsWith(name + "."))
+                .map(other -> other + "..").toList();
         classes().that(resideInAPackage(name + "..").and(resideOutsideOfPackages(ownRows.toArray(String[]::new))))
                 .should().onlyDependOnClassesThat(liveIn(targets)).allowEmptyShould(true).check(all);
     }
@@ -91,21 +101,27 @@ class ArchitectureTest {
     private static DescribedPredicate<JavaClass> liveIn(List<String> packages) {
         PackageMatchers matchers = PackageMatchers.of(packages);
         return DescribedPredicate.describe("are primitive or live in " + packages,
-                type -> type.getBaseComponentType().isPrimitive() || matchers.test(type.getBaseComponentType().getPackageName()));
+                type -> type.getBaseComponentType().isPrimitive()
+                || matchers.test(type.getBaseComponentType().getPackageName()));
     }
 
-    @Test void everyPackageHasARow() {
+    @Test
+    void everyPackageHasARow() {
         assertThat(all.stream().map(JavaClass::getPackageName).distinct()
-                .filter(name -> TABLE.keySet().stream().noneMatch(row -> name.equals(row) || name.startsWith(row + "."))))
+                .filter(name -> TABLE.keySet().stream()
+                        .noneMatch(row -> name.equals(row) || name.startsWith(row + "."))))
                 .as("packages without a row in the table").isEmpty();
     }
 
-    @Test void noPackageCycles() {
+    @Test
+    void noPackageCycles() {
         slices().matching("brickless.(**)").should().beFreeOfCycles().check(all);
     }
 
-    @Test void theSimulatorNeverReadsTheWallClock() {
-        noClasses().that().resideInAPackage("brickless..").and().resideOutsideOfPackages("brickless.kernel", "brickless.kernel.hooks",
+    @Test
+    void theSimulatorNeverReadsTheWallClock() {
+        noClasses().that().resideInAPackage("brickless..").and()
+                .resideOutsideOfPackages("brickless.kernel", "brickless.kernel.hooks",
                 "brickless.concurrent..", "brickless.cli", "brickless.viewer..")
                 .and().haveSimpleNameNotContaining("WallClock")
                 .should().callMethod(System.class, "currentTimeMillis").orShould().callMethod(System.class, "nanoTime")
@@ -113,7 +129,8 @@ class ArchitectureTest {
                 .orShould().callConstructor(java.util.Random.class).check(all);
     }
 
-    @Test void everyPackageSaysItsJob() throws IOException {
+    @Test
+    void everyPackageSaysItsJob() throws IOException {
         Path sources = Path.of(System.getProperty("brickless.home"), "src/main/java");
         try (Stream<Path> files = Files.walk(sources)) {
             List<Path> silent = files.filter(file -> file.toString().endsWith(".java")).map(Path::getParent).distinct()

@@ -24,17 +24,20 @@ class DocumentedModelsTest {
     private static String document;
     private static Map<String, String> sources;
 
-    @BeforeAll static void read() throws IOException {
+    @BeforeAll
+    static void read() throws IOException {
         document = Files.readString(HOME.resolve("sim/docs/MODELS.md"));
         sources = new HashMap<>();
         try (Stream<Path> files = Files.walk(HOME.resolve("src"))) {
             for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
-                sources.merge(file.getFileName().toString().replace(".java", ""), Files.readString(file), String::concat);
+                sources.merge(file.getFileName().toString().replace(".java", ""), Files.readString(file),
+                        String::concat);
             }
         }
     }
 
-    @Test void everyNamedMemberExists() {
+    @Test
+    void everyNamedMemberExists() {
         List<String> missing = new ArrayList<>();
         Matcher member = MEMBER.matcher(document);
         while (member.find()) {
@@ -46,7 +49,8 @@ class DocumentedModelsTest {
     }
 
     /** In the last section a name without a class goes on with the class before. */
-    @Test void everyNumberNamesTestsThatExist() {
+    @Test
+    void everyNumberNamesTestsThatExist() {
         List<String> missing = new ArrayList<>();
         int named = 0;
         for (String row : document.substring(document.indexOf("## Where each number is tested")).split("\n")) {

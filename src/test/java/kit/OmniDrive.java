@@ -14,7 +14,8 @@ public final class OmniDrive {
         EV3LargeRegulatedMotor rear = new EV3LargeRegulatedMotor(MotorPort.C);
         EV3LargeRegulatedMotor frontLeft = new EV3LargeRegulatedMotor(MotorPort.A);
         EV3LargeRegulatedMotor frontRight = new EV3LargeRegulatedMotor(MotorPort.B);
-        OmniPilot pilot = new OmniPilot(9.2f, 5.8f, rear, frontLeft, frontRight, false, true, LocalEV3.get().getPower());
+        OmniPilot pilot = new OmniPilot(9.2f, 5.8f, rear, frontLeft, frontRight, false, true,
+                LocalEV3.get().getPower());
         pilot.setLinearSpeed(15);
         pilot.travel(30);
         pilot.travel(20, 90.0);

@@ -54,7 +54,8 @@ public final class RemoteNavigation implements NavEventListener {
     public void whenConnected() {
         Wheel left = WheeledChassis.modelWheel(Motor.B, 5.6).offset(6);
         Wheel right = WheeledChassis.modelWheel(Motor.C, 5.6).offset(-6);
-        MovePilot pilot = new MovePilot(new WheeledChassis(new Wheel[] {left, right}, WheeledChassis.TYPE_DIFFERENTIAL));
+        MovePilot pilot = new MovePilot(
+                new WheeledChassis(new Wheel[] {left, right}, WheeledChassis.TYPE_DIFFERENTIAL));
         pilot.setLinearSpeed(20);
         pilot.setAngularSpeed(90);
         model.addNavigator(new Navigator(pilot));

@@ -79,7 +79,8 @@ public final class Agreement {
         Map<String, Double> actual = Map.of();
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
             expected = new DriverProcess(original, driver, index, index + 1, folder).sightings().get(0);
-            actual = new DriverProcess(System.getProperty("java.class.path"), driver, index, index + 1, folder).sightings().get(0);
+            actual = new DriverProcess(System.getProperty("java.class.path"), driver, index, index + 1, folder)
+                    .sightings().get(0);
             if (agree(expected, actual, tolerance)) {
                 return;
             }
@@ -89,18 +90,21 @@ public final class Agreement {
 
     private static boolean agree(Map<String, Double> expected, Map<String, Double> actual, double tolerance) {
         return actual.keySet().equals(expected.keySet())
-                && expected.entrySet().stream().allMatch(entry -> close(actual.get(entry.getKey()), entry.getValue(), tolerance));
+                && expected.entrySet().stream()
+                .allMatch(entry -> close(actual.get(entry.getKey()), entry.getValue(), tolerance));
     }
 
     private static boolean close(double mine, double value, double tolerance) {
         return Double.compare(mine, value) == 0 || Math.abs(mine - value) <= tolerance * Math.max(1, Math.abs(value));
     }
 
-    private static void compare(String where, Map<String, Double> expected, Map<String, Double> actual, double tolerance) {
+    private static void compare(String where, Map<String, Double> expected, Map<String, Double> actual,
+            double tolerance) {
         assertThat(actual.keySet()).as(where).isEqualTo(expected.keySet());
         expected.forEach((label, value) -> {
             double mine = actual.get(label);
-            assertThat(close(mine, value, tolerance)).as(where + ", " + label + ": original " + value + ", ours " + mine).isTrue();
+            assertThat(close(mine, value, tolerance))
+                    .as(where + ", " + label + ": original " + value + ", ours " + mine).isTrue();
         });
     }
 }

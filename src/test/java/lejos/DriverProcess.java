@@ -15,7 +15,8 @@ import java.util.Map;
 /**
  * Plays a driver in a JVM of its own, against the classes of that JVM's class path.
  *
- * <p>Published pilots and navigators start threads that never end, some of which never pause. In a JVM of their own they end with it.
+ * <p>Published pilots and navigators start threads that never end, some of which never pause. In a JVM of their own
+ * they end with it.
  */
 public final class DriverProcess {
     private final Process process;
@@ -31,9 +32,10 @@ public final class DriverProcess {
         try {
             sightings = Files.createTempFile(folder, "sightings", ".txt");
             console = Files.createTempFile(folder, "console", ".txt");
-            process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC",
-                    "-XX:TieredStopAtLevel=1", "-cp", classPath, DriverProcess.class.getName(), driver.getName(), String.valueOf(begin),
-                    String.valueOf(end), sightings.toString()).redirectErrorStream(true).redirectOutput(console.toFile()).start();
+            process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                    "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", classPath, DriverProcess.class.getName(),
+                    driver.getName(), String.valueOf(begin), String.valueOf(end), sightings.toString())
+                    .redirectErrorStream(true).redirectOutput(console.toFile()).start();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -75,7 +77,8 @@ public final class DriverProcess {
         try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(Path.of(args[3]), StandardCharsets.UTF_8))) {
             for (int index = Integer.parseInt(args[1]); index < Integer.parseInt(args[2]); index++) {
                 out.println(index);
-                ((Map<String, Double>) play.invoke(null, index)).forEach((label, value) -> out.println(label + "\t" + value));
+                ((Map<String, Double>) play.invoke(null, index))
+                        .forEach((label, value) -> out.println(label + "\t" + value));
             }
         } catch (ReflectiveOperationException e) {
             e.printStackTrace();

@@ -17,7 +17,8 @@ public final class OriginalJar {
     public static Path path() {
         String property = System.getProperty("brickless.oracle");
         if (property == null) {
-            throw new AssertionError("system property brickless.oracle must name the published lejos-ev3-api-0.9.1-beta.jar");
+            throw new AssertionError(
+                    "system property brickless.oracle must name the published lejos-ev3-api-0.9.1-beta.jar");
         }
         Path jar = Path.of(property);
         if (!Files.isRegularFile(jar)) {
@@ -38,7 +39,8 @@ public final class OriginalJar {
      * @param driver a class of the test tree; it and its neighbours are defined anew in the loader
      */
     public static URLClassLoader loaderWith(Class<?> driver) {
-        return new URLClassLoader(new URL[] {url(path()), url(testClasses(driver))}, ClassLoader.getPlatformClassLoader());
+        return new URLClassLoader(new URL[] {url(path()), url(testClasses(driver))},
+                ClassLoader.getPlatformClassLoader());
     }
 
     /** Where a class of the test tree was found. */

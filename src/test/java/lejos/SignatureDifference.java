@@ -29,11 +29,12 @@ record SignatureDifference(String where, String what) {
         String name = type.getFullyQualifiedName();
         inspect(found, name, type, type, type);
         if (type.getSuperclass().getChangeStatus() != JApiChangeStatus.UNCHANGED) {
-            found.add(new SignatureDifference(name, "superclass " + type.getSuperclass().getOldSuperclassName().orElse("none")
-                    + " became " + type.getSuperclass().getNewSuperclassName().orElse("none")));
+            found.add(new SignatureDifference(name, "superclass " + type.getSuperclass().getOldSuperclassName()
+                    .orElse("none") + " became " + type.getSuperclass().getNewSuperclassName().orElse("none")));
         }
         type.getInterfaces().stream().filter(i -> i.getChangeStatus() != JApiChangeStatus.UNCHANGED)
-                .forEach(i -> found.add(new SignatureDifference(name, i.getChangeStatus() + " " + i.getFullyQualifiedName())));
+                .forEach(
+                i -> found.add(new SignatureDifference(name, i.getChangeStatus() + " " + i.getFullyQualifiedName())));
         for (JApiField field : type.getFields()) {
             inspect(found, name + "." + field.getName(), field, field, field);
             compareConstants(found, name + "." + field.getName(), field);
@@ -89,7 +90,8 @@ record SignatureDifference(String where, String what) {
     }
 
     static boolean visible(Optional<AccessModifier> access) {
-        return access.isPresent() && (access.get() == AccessModifier.PUBLIC || access.get() == AccessModifier.PROTECTED);
+        return access.isPresent() && (access.get() == AccessModifier.PUBLIC
+                || access.get() == AccessModifier.PROTECTED);
     }
 
     /** Changes that japicmp notes at the class but that stem from a member, which is inspected by itself. */

@@ -56,8 +56,8 @@ class SignatureTest {
 
     @Test
     void nothingOfAPresentClassIsMissingOrChanged() {
-        assertThat(present().flatMap(c -> SignatureDifference.of(c).stream()).filter(d -> !d.isAddition()).map(Object::toString))
-                .isEmpty();
+        assertThat(present().flatMap(c -> SignatureDifference.of(c).stream()).filter(d -> !d.isAddition())
+                .map(Object::toString)).isEmpty();
     }
 
     @Test

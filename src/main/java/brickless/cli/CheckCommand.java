@@ -24,20 +24,24 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 
 /** {@code brickless check}: what a program uses of leJOS that is missing here, found without running it. */
-@Command(name = "check", description = "Lists what a program uses of leJOS that is missing here.", mixinStandardHelpOptions = true)
+@Command(name = "check", description = "Lists what a program uses of leJOS that is missing here.",
+        mixinStandardHelpOptions = true)
 final class CheckCommand implements Callable<Integer> {
     private static final String LEJOS = "lejos.";
 
-    @Parameters(index = "0", paramLabel = "PROGRAM", description = "Class name, .java or .class file, directory of sources or classes, or jar.")
+    @Parameters(index = "0", paramLabel = "PROGRAM",
+            description = "Class name, .java or .class file, directory of sources or classes, or jar.")
     private String name;
 
-    @Option(names = {"--classpath", "-cp"}, paramLabel = "PATH", description = "Further directories and jars the program needs.")
+    @Option(names = {"--classpath", "-cp"}, paramLabel = "PATH",
+            description = "Further directories and jars the program needs.")
     private String classPath = "";
 
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() {
+    @Override
+    public Integer call() {
         try (Program program = RunOptions.finder(classPath, null).findClasses(name)) {
             return report(missing(new ProgramClasses(program).files()));
         } catch (ProgramException e) {
@@ -49,7 +53,8 @@ final class CheckCommand implements Callable<Integer> {
 
     /** Source that uses what is missing does not even compile; the compiler's messages name it then. */
     private int uncompiled(String message) {
-        boolean concernsLejos = message.lines().anyMatch(line -> line.contains(": error: ") && line.contains(LEJOS.substring(0, 5)));
+        boolean concernsLejos = message.lines()
+                .anyMatch(line -> line.contains(": error: ") && line.contains(LEJOS.substring(0, 5)));
         if (!concernsLejos) {
             throw new UsageException(message);
         }
@@ -83,13 +88,14 @@ final class CheckCommand implements Callable<Integer> {
     private int report(List<MissingReference> missing) {
         Map<String, List<String>> uses = new LinkedHashMap<>();
         List<MissingReference> byLine = new ArrayList<>(missing);
-        byLine.sort(Comparator.comparing(MissingReference::owner).thenComparing(MissingReference::member).thenComparing(MissingReference::usedBy)
-                .thenComparingInt(MissingReference::line));
+        byLine.sort(Comparator.comparing(MissingReference::owner).thenComparing(MissingReference::member)
+                .thenComparing(MissingReference::usedBy).thenComparingInt(MissingReference::line));
         for (MissingReference reference : byLine) {
             uses.computeIfAbsent(MemberText.of(reference), key -> new ArrayList<>())
                     .add(reference.usedBy() + (reference.line() > 0 ? ":" + reference.line() : ""));
         }
-        main.out().println(uses.isEmpty() ? name + ": nothing of leJOS is missing" : name + " uses " + uses.size() + " of leJOS missing here:");
+        main.out().println(uses.isEmpty() ? name + ": nothing of leJOS is missing"
+                : name + " uses " + uses.size() + " of leJOS missing here:");
         uses.forEach((member, places) -> main.out().println("  " + member + "  used by " + String.join(", ", places)));
         return uses.isEmpty() ? 0 : 1;
     }

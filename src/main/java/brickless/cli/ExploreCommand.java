@@ -21,13 +21,15 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code brickless explore}: many random schedules; tells the first failure of each kind and how to see it again. */
-@Command(name = "explore", description = "Runs a program under many thread schedules and reports the first failure of each kind.",
+@Command(name = "explore",
+        description = "Runs a program under many thread schedules and reports the first failure of each kind.",
         mixinStandardHelpOptions = true)
 final class ExploreCommand implements Callable<Integer> {
     @Mixin
     private RunOptions options;
 
-    @Option(names = "--schedules", paramLabel = "N", defaultValue = "200", description = "Number of schedules (default: 200).")
+    @Option(names = "--schedules", paramLabel = "N", defaultValue = "200",
+            description = "Number of schedules (default: 200).")
     private int schedules;
 
     @Option(names = "--jobs", paramLabel = "N", description = "Runs at the same time (default: one per processor).")
@@ -36,7 +38,8 @@ final class ExploreCommand implements Callable<Integer> {
     @Spec
     private picocli.CommandLine.Model.CommandSpec spec;
 
-    @Override public Integer call() throws InterruptedException {
+    @Override
+    public Integer call() throws InterruptedException {
         if (schedules < 1 || jobs < 1) {
             throw new UsageException("--schedules and --jobs must be at least 1");
         }
@@ -48,7 +51,8 @@ final class ExploreCommand implements Callable<Integer> {
             Map<String, Integer> counts = new LinkedHashMap<>();
             ExecutorService pool = Executors.newFixedThreadPool(jobs);
             try {
-                List<Future<RunReport>> runs = LongStream.range(first, first + schedules).mapToObj(seed -> pool.submit(() -> run(settings, program, seed))).toList();
+                List<Future<RunReport>> runs = LongStream.range(first, first + schedules)
+                        .mapToObj(seed -> pool.submit(() -> run(settings, program, seed))).toList();
                 for (int i = 0; i < runs.size(); i++) {
                     RunReport report = runs.get(i).get();
                     String kind = failureKind(report);
@@ -81,19 +85,23 @@ final class ExploreCommand implements Callable<Integer> {
         return run.report();
     }
 
-    private String failureKind(RunReport report) {
+    private static String failureKind(RunReport report) {
         if (!report.outcome().successful()) {
-            return report.outcome().kind().equals("exited") ? "exited with status " + report.outcome().exitStatus().orElse(0) : report.outcome().kind();
+            return report.outcome().kind().equals("exited")
+                    ? "exited with status " + report.outcome().exitStatus().orElse(0) : report.outcome().kind();
         }
         return report.goalMissed() ? "goal not reached" : "";
     }
 
     private void print(Map<String, RunReport> failures, Map<String, Long> seeds, Map<String, Integer> counts) {
         var out = spec.commandLine().getOut();
-        out.println(schedules + " schedules: " + (failures.isEmpty() ? "no failure" : failures.size() + " kinds of failure"));
+        out.println(schedules + " schedules: "
+                + (failures.isEmpty() ? "no failure" : failures.size() + " kinds of failure"));
         failures.forEach((kind, report) -> {
-            out.println(kind + ": " + counts.get(kind) + " of " + schedules + ", first with schedule seed " + seeds.get(kind));
-            report.outcome().error().ifPresent(error -> error.lines().limit(20).forEach(line -> out.println("    " + line)));
+            out.println(kind + ": " + counts.get(kind) + " of " + schedules + ", first with schedule seed "
+                    + seeds.get(kind));
+            report.outcome().error()
+                    .ifPresent(error -> error.lines().limit(20).forEach(line -> out.println("    " + line)));
             out.println("  see it again: " + options.commandLine() + " --schedule-seed " + seeds.get(kind));
         });
         out.flush();

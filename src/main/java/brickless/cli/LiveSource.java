@@ -29,7 +29,8 @@ final class LiveSource implements RunSource {
         this.console = console;
     }
 
-    @Override public Prepared prepare(OptionalLong seed) {
+    @Override
+    public Prepared prepare(OptionalLong seed) {
         try {
             Program program = options.findProgram();
             boolean ready = false;
@@ -49,8 +50,10 @@ final class LiveSource implements RunSource {
 
     private Prepared prepared(Program program, long seed) throws ProgramException {
         Path folder = out.orElse(Path.of("build", "simulations", program.simpleName()));
-        SimulationSettings settings = options.settings().toBuilder().seed(seed).console(console).out(Optional.of(folder)).build();
-        return new Prepared(program, settings, files(program, settings), limit -> options.commandLine(limit, seed, SAVED));
+        SimulationSettings settings = options.settings().toBuilder().seed(seed).console(console)
+                .out(Optional.of(folder)).build();
+        return new Prepared(program, settings, files(program, settings),
+                limit -> options.commandLine(limit, seed, SAVED));
     }
 
     /** Files that somebody may edit while the run is watched. */
@@ -64,6 +67,7 @@ final class LiveSource implements RunSource {
             placement.model().map(beside::resolve).ifPresent(files::add);
             placement.program().map(beside::resolve).ifPresent(files::add);
         }
-        return files.stream().filter(Files::isRegularFile).map(file -> file.toAbsolutePath().normalize()).distinct().toList();
+        return files.stream().filter(Files::isRegularFile).map(file -> file.toAbsolutePath().normalize())
+                .distinct().toList();
     }
 }

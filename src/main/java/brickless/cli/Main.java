@@ -8,8 +8,8 @@ import picocli.CommandLine.Command;
 
 /** {@code brickless}: runs leJOS EV3 programs without a brick. */
 @Command(name = "brickless", description = "Runs leJOS EV3 programs without a brick.", mixinStandardHelpOptions = true,
-        versionProvider = Main.Version.class, subcommands = {RunCommand.class, ViewCommand.class, ReplayCommand.class, CheckCommand.class, ExploreCommand.class,
-                SweepCommand.class})
+        versionProvider = Main.Version.class, subcommands = {RunCommand.class, ViewCommand.class, ReplayCommand.class,
+                CheckCommand.class, ExploreCommand.class, SweepCommand.class})
 public final class Main implements Runnable {
     /** Exit status for bad input. */
     static final int USAGE = 2;
@@ -59,8 +59,10 @@ public final class Main implements Runnable {
     private static String explain(CommandLine.ParameterException failure) {
         if (failure instanceof CommandLine.UnmatchedArgumentException unmatched && unmatched.isUnknownOption()) {
             List<String> meant = unmatched.getSuggestions();
-            List<String> all = failure.getCommandLine().getCommandSpec().options().stream().map(option -> option.longestName()).toList();
-            return "unknown option " + unmatched.getUnmatched().get(0) + "; " + (meant.isEmpty() ? "allowed: " + String.join(", ", all)
+            List<String> all = failure.getCommandLine().getCommandSpec().options().stream()
+                    .map(option -> option.longestName()).toList();
+            return "unknown option " + unmatched.getUnmatched().get(0) + "; "
+                    + (meant.isEmpty() ? "allowed: " + String.join(", ", all)
                     : "did you mean " + String.join(" or ", meant) + "?");
         }
         return failure.getMessage();
@@ -73,14 +75,17 @@ public final class Main implements Runnable {
         return USAGE;
     }
 
-    @Override public void run() {
-        throw new CommandLine.ParameterException(spec.commandLine(), "which command? one of " + String.join(", ", spec.subcommands().keySet())
+    @Override
+    public void run() {
+        throw new CommandLine.ParameterException(spec.commandLine(),
+                "which command? one of " + String.join(", ", spec.subcommands().keySet())
                 + "; 'brickless --help' explains");
     }
 
     /** Version of the jar. */
     static final class Version implements CommandLine.IVersionProvider {
-        @Override public String[] getVersion() {
+        @Override
+        public String[] getVersion() {
             String version = Main.class.getPackage().getImplementationVersion();
             return new String[] {"brickless " + (version == null ? "(development)" : version)};
         }

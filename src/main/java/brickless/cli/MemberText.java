@@ -7,8 +7,8 @@ import java.util.Map;
 
 /** Writes members as Java does: {@code lejos.hardware.Sound.playNote(int[], int)}. */
 final class MemberText {
-    private static final Map<Character, String> PRIMITIVES = Map.of('B', "byte", 'C', "char", 'D', "double", 'F', "float", 'I', "int", 'J', "long",
-            'S', "short", 'Z', "boolean", 'V', "void");
+    private static final Map<Character, String> PRIMITIVES = Map.of('B', "byte", 'C', "char", 'D', "double",
+            'F', "float", 'I', "int", 'J', "long", 'S', "short", 'Z', "boolean", 'V', "void");
 
     private final String descriptor;
     private int position;

@@ -10,7 +10,8 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 
 /** {@code brickless replay}: opens the report of a finished run. */
-@Command(name = "replay", description = "Opens the report of a finished run in the browser.", mixinStandardHelpOptions = true)
+@Command(name = "replay", description = "Opens the report of a finished run in the browser.",
+        mixinStandardHelpOptions = true)
 final class ReplayCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "DIR", description = "Folder with the files of a run, as --out named it.")
     private Path folder;
@@ -21,11 +22,13 @@ final class ReplayCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() {
+    @Override
+    public Integer call() {
         try {
             Path page = FinishedRun.open(folder).report();
             String address = page.toAbsolutePath().normalize().toUri().toString();
-            main.out().println(printPath || !DesktopBrowser.show(page.toAbsolutePath().normalize().toUri()) ? address : "opened " + address);
+            main.out().println(printPath || !DesktopBrowser.show(page.toAbsolutePath().normalize().toUri())
+                    ? address : "opened " + address);
             return 0;
         } catch (SetupException e) {
             throw new UsageException(e.getMessage());

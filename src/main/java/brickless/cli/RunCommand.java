@@ -21,7 +21,8 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     private RunOptions options;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "Folder for the files of the run (default: build/simulations/<main>).")
+    @Option(names = "--out", paramLabel = "DIR",
+            description = "Folder for the files of the run (default: build/simulations/<main>).")
     private Path out;
 
     @Option(names = "--json", description = "Prints one JSON object as the last line.")
@@ -39,7 +40,8 @@ final class RunCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() throws Exception {
+    @Override
+    public Integer call() throws Exception {
         if (verbose) {
             System.setProperty("org.slf4j.simpleLogger.defaultLogLevel", "debug");
         }
@@ -49,7 +51,8 @@ final class RunCommand implements Callable<Integer> {
         try (Program program = options.findProgram()) {
             SimulationSettings settings = options.settings();
             Path folder = out != null ? out : Path.of("build", "simulations", program.simpleName());
-            Simulation simulation = new Simulation(settings.toBuilder().console(main.out()).out(Optional.of(folder)).build());
+            Simulation simulation = new Simulation(settings.toBuilder().console(main.out())
+                    .out(Optional.of(folder)).build());
             PrintStream stream = main.out();
             Run run = simulation.start(program);
             run.toEnd();

@@ -1,9 +1,9 @@
 package brickless.cli;
 
+import brickless.kernel.BackendChoice;
 import brickless.program.Program;
 import brickless.program.ProgramException;
 import brickless.program.ProgramFinder;
-import brickless.kernel.BackendChoice;
 import brickless.simulation.Durations;
 import brickless.simulation.Goal;
 import brickless.simulation.Library;
@@ -35,10 +35,12 @@ final class RunOptions {
     @Option(names = "--main", paramLabel = "CLASS", description = "Main class, if there are several.")
     String main;
 
-    @Option(names = {"--classpath", "-cp"}, paramLabel = "PATH", description = "Further directories and jars the program needs.")
+    @Option(names = {"--classpath", "-cp"}, paramLabel = "PATH",
+            description = "Further directories and jars the program needs.")
     String classPath = "";
 
-    @Option(names = "--world", paramLabel = "WORLD", defaultValue = "pen", description = "World: SVG file or bundled name (default: pen).")
+    @Option(names = "--world", paramLabel = "WORLD", defaultValue = "pen",
+            description = "World: SVG file or bundled name (default: pen).")
     String world;
 
     @Option(names = "--robot", paramLabel = "ROBOT", defaultValue = "auto",
@@ -49,10 +51,12 @@ final class RunOptions {
             description = "Simulated time limit: 500ms, 60s, 2m (default: 60s; view: none).")
     private Duration limit;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of noise and of the program's random numbers (default: 1).")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
+            description = "Seed of noise and of the program's random numbers (default: 1).")
     long seed;
 
-    @Option(names = "--schedule-seed", paramLabel = "N", description = "Runs the threads in a random order given by this seed.")
+    @Option(names = "--schedule-seed", paramLabel = "N",
+            description = "Runs the threads in a random order given by this seed.")
     Long scheduleSeed;
 
     @Option(names = "--stimuli", paramLabel = "FILE", description = "What people and the world do to the robot.")
@@ -62,7 +66,8 @@ final class RunOptions {
             description = "auto: keys the program waits for are pressed; none: never (default: auto; view: none).")
     private Buttons buttons;
 
-    @Option(names = "--attended", description = "Somebody watches the brick: an exception waits on its screen for a key (always so in view).")
+    @Option(names = "--attended",
+            description = "Somebody watches the brick: an exception waits on its screen for a key (always so in view).")
     private boolean attended;
 
     @Option(names = "--until", paramLabel = "GOAL", converter = GoalConverter.class,
@@ -100,7 +105,8 @@ final class RunOptions {
     }
 
     static ProgramFinder finder(String classPath, String main) {
-        List<Path> entries = classPath.isEmpty() ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
+        List<Path> entries = classPath.isEmpty()
+                ? List.of() : Arrays.stream(classPath.split(File.pathSeparator)).map(Path::of).toList();
         return new ProgramFinder(Path.of("").toAbsolutePath(), entries, Optional.ofNullable(main));
     }
 
@@ -113,8 +119,10 @@ final class RunOptions {
         Library library = new Library(Path.of(""));
         try {
             World arena = library.world(worldName);
-            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(worldName).seed(seed).limit(limit()).ideal(ideal)
-                    .pressButtons(pressButtons()).attended(attended || live).backend(backend).goal(Optional.ofNullable(goal))
+            SimulationSettings.Builder settings = SimulationSettings.builder(arena).worldFile(worldName).seed(seed)
+                    .limit(limit()).ideal(ideal)
+                    .pressButtons(pressButtons()).attended(attended || live).backend(backend)
+                    .goal(Optional.ofNullable(goal))
                     .scheduleSeed(scheduleSeed == null ? OptionalLong.empty() : OptionalLong.of(scheduleSeed));
             if (!robot.equals("auto")) {
                 settings.robot(library.robot(robot));
@@ -159,15 +167,19 @@ final class RunOptions {
     }
 
     private static final class PositiveDuration implements ITypeConverter<Duration> {
-        @Override public Duration convert(String value) {
+        @Override
+        public Duration convert(String value) {
             return Durations.parse(value).filter(duration -> !duration.isZero())
-                    .orElseThrow(() -> new TypeConversionException("'" + value + "' is no time above zero; allowed: 500ms, 60s, 2m"));
+                    .orElseThrow(() -> new TypeConversionException("'" + value
+                            + "' is no time above zero; allowed: 500ms, 60s, 2m"));
         }
     }
 
     private static final class GoalConverter implements ITypeConverter<Goal> {
-        @Override public Goal convert(String value) {
-            return Goal.parse(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no goal; allowed: zone:NAME, exit"));
+        @Override
+        public Goal convert(String value) {
+            return Goal.parse(value).orElseThrow(() ->
+                    new TypeConversionException("'" + value + "' is no goal; allowed: zone:NAME, exit"));
         }
     }
 
@@ -175,22 +187,26 @@ final class RunOptions {
     enum Buttons { AUTO, NONE }
 
     private static final class ButtonsConverter implements ITypeConverter<Buttons> {
-        @Override public Buttons convert(String value) {
+        @Override
+        public Buttons convert(String value) {
             return switch (value) {
                 case "auto" -> Buttons.AUTO;
                 case "none" -> Buttons.NONE;
-                default -> throw new TypeConversionException("'" + value + "' is no button policy; allowed: auto, none");
+                default -> throw new TypeConversionException("'" + value
+                        + "' is no button policy; allowed: auto, none");
             };
         }
     }
 
     private static final class BackendConverter implements ITypeConverter<BackendChoice> {
-        @Override public BackendChoice convert(String value) {
+        @Override
+        public BackendChoice convert(String value) {
             return switch (value) {
                 case "auto" -> BackendChoice.AUTO;
                 case "threads" -> BackendChoice.THREADS;
                 case "continuation" -> BackendChoice.CONTINUATIONS;
-                default -> throw new TypeConversionException("'" + value + "' is no back-end; allowed: auto, threads, continuation");
+                default -> throw new TypeConversionException("'" + value
+                        + "' is no back-end; allowed: auto, threads, continuation");
             };
         }
     }

@@ -21,9 +21,9 @@ import java.util.function.Function;
 /**
  * The lines of a sweep, on standard output or in a file that a later sweep can continue.
  *
- * <p>A file that is there must be the beginning of the same sweep: worlds and seeds of its lines are compared with the plan, and its last
- * line is made once more, which shows whether the program or a setting has changed since. A last line without its end is dropped if it is the
- * beginning of the one that belongs there.
+ * <p>A file that is there must be the beginning of the same sweep: worlds and seeds of its lines are compared with the
+ * plan, and its last line is made once more, which shows whether the program or a setting has changed since. A last
+ * line without its end is dropped if it is the beginning of the one that belongs there.
  */
 final class SweepLines implements AutoCloseable {
     private final Optional<Path> file;
@@ -60,7 +60,8 @@ final class SweepLines implements AutoCloseable {
      *
      * @param again makes the line of a run
      */
-    void continueFrom(List<SweepRun> plan, Map<String, SimulationSettings> settings, Function<SweepRun, String> again) throws IOException {
+    void continueFrom(List<SweepRun> plan, Map<String, SimulationSettings> settings, Function<SweepRun, String> again)
+            throws IOException {
         if (file.isEmpty()) {
             return;
         }
@@ -91,10 +92,11 @@ final class SweepLines implements AutoCloseable {
     }
 
     /** What is in the file, which from now on is ours alone. */
-    private byte[] open(Path target) throws IOException {
+    private byte[] open(Path target) {
         try {
             Files.createDirectories(target.toAbsolutePath().getParent());
-            channel = FileChannel.open(target, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+            channel = FileChannel.open(target, StandardOpenOption.CREATE, StandardOpenOption.READ,
+                    StandardOpenOption.WRITE);
             if (channel.tryLock() == null) {
                 throw new UsageException(target + ": another sweep is writing it");
             }
@@ -113,8 +115,10 @@ final class SweepLines implements AutoCloseable {
         SweepRun run = plan.get(count);
         try {
             JsonFields fields = JsonFields.parse(line);
-            if (!fields.text("world").equals(settings.get(run.world()).world().name()) || fields.integer("seed") != run.seed()) {
-                throw other(count + 1, "is of world " + fields.text("world") + " and seed " + fields.integer("seed") + ", not of "
+            if (!fields.text("world").equals(settings.get(run.world()).world().name())
+                    || fields.integer("seed") != run.seed()) {
+                throw other(count + 1, "is of world " + fields.text("world") + " and seed "
+                        + fields.integer("seed") + ", not of "
                         + settings.get(run.world()).world().name() + " and " + run.seed());
             }
             count(fields);
@@ -124,7 +128,8 @@ final class SweepLines implements AutoCloseable {
     }
 
     private UsageException other(int line, String what) {
-        return new UsageException(file.orElseThrow() + ":" + line + ": " + what + "; give another --out, or remove the file to begin anew");
+        return new UsageException(file.orElseThrow() + ":" + line + ": " + what
+                + "; give another --out, or remove the file to begin anew");
     }
 
     /** Writes a line at once, so that a killed sweep loses nothing that was done. */
@@ -139,7 +144,8 @@ final class SweepLines implements AutoCloseable {
         count++;
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         if (channel != null) {
             channel.close();
         }

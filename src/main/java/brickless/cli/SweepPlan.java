@@ -27,7 +27,8 @@ final class SweepPlan {
         worlds.forEach(world -> names.addAll(expanded(world)));
         List<Long> numbers = numbers(seeds);
         if ((long) names.size() * numbers.size() > MOST_RUNS) {
-            throw new UsageException("that are " + (long) names.size() * numbers.size() + " runs; allowed: " + MOST_RUNS);
+            throw new UsageException("that are " + (long) names.size() * numbers.size()
+                    + " runs; allowed: " + MOST_RUNS);
         }
         List<SweepRun> plan = new ArrayList<>();
         names.forEach(world -> numbers.forEach(seed -> plan.add(new SweepRun(world, seed))));
@@ -41,10 +42,12 @@ final class SweepPlan {
         String forward = world.replace('\\', '/');
         int wild = forward.replaceFirst("[*?\\[{].*", "").lastIndexOf('/');
         String folder = wild < 0 ? "" : forward.substring(0, wild + 1);
-        int depth = forward.contains("**") ? Integer.MAX_VALUE : (int) forward.substring(folder.length()).chars().filter(c -> c == '/').count() + 1;
+        int depth = forward.contains("**") ? Integer.MAX_VALUE
+                : (int) forward.substring(folder.length()).chars().filter(c -> c == '/').count() + 1;
         try (Stream<Path> files = Files.walk(Path.of(folder), depth)) {
             PathMatcher matcher = FileSystems.getDefault().getPathMatcher("glob:" + forward);
-            List<String> found = files.filter(file -> matcher.matches(file) && Files.isRegularFile(file)).map(Path::toString).sorted().toList();
+            List<String> found = files.filter(file -> matcher.matches(file) && Files.isRegularFile(file))
+                    .map(Path::toString).sorted().toList();
             if (!found.isEmpty()) {
                 return found;
             }
@@ -61,12 +64,14 @@ final class SweepPlan {
         for (String part : seeds.split(",", -1)) {
             Matcher range = SEEDS.matcher(part.strip());
             if (!range.matches()) {
-                throw new UsageException("--seeds " + seeds + ": '" + part + "' is no seed; allowed: 1..100, or 3,7,11..15");
+                throw new UsageException("--seeds " + seeds + ": '" + part
+                        + "' is no seed; allowed: 1..100, or 3,7,11..15");
             }
             long first = Long.parseLong(range.group(1));
             long last = range.group(2) == null ? first : Long.parseLong(range.group(2));
             if (last < first || last - first >= MOST_RUNS) {
-                throw new UsageException("--seeds " + seeds + ": '" + part + "' is no range of 1 to " + MOST_RUNS + " seeds");
+                throw new UsageException("--seeds " + seeds + ": '" + part + "' is no range of 1 to "
+                        + MOST_RUNS + " seeds");
             }
             for (long seed = first; seed <= last; seed++) {
                 numbers.add(seed);

@@ -31,7 +31,8 @@ final class SweepProgress {
     void done(int count, int failed) {
         if (terminal) {
             int full = (int) ((long) count * BAR / total);
-            err.print("\r[" + "#".repeat(full) + ".".repeat(BAR - full) + "] " + count + "/" + total + failures(failed) + rate(count) + " \033[K");
+            err.print("\r[" + "#".repeat(full) + ".".repeat(BAR - full) + "] " + count + "/" + total + failures(failed)
+                    + rate(count) + " \033[K");
             err.flush();
         } else if (count * 10L / total > told) {
             told = (int) (count * 10L / total);
@@ -52,7 +53,8 @@ final class SweepProgress {
     private String rate(int count) {
         double seconds = Math.max(1e-3, (System.nanoTime() - started) / 1e9);
         double perSecond = (count - before) / seconds;
-        return perSecond <= 0 ? "" : String.format(Locale.ROOT, ", %.1f a second, %.0f s to go", perSecond, (total - count) / perSecond);
+        return perSecond <= 0 ? "" : String.format(Locale.ROOT, ", %.1f a second, %.0f s to go", perSecond,
+                (total - count) / perSecond);
     }
 
     /** From Java 22 on there is a console even when it is no terminal, and a method that tells. */
@@ -62,7 +64,8 @@ final class SweepProgress {
             return false;
         }
         try {
-            return (boolean) MethodHandles.publicLookup().findVirtual(Console.class, "isTerminal", MethodType.methodType(boolean.class)).invoke(console);
+            return (boolean) MethodHandles.publicLookup()
+                    .findVirtual(Console.class, "isTerminal", MethodType.methodType(boolean.class)).invoke(console);
         } catch (NoSuchMethodException e) {
             return true;
         } catch (Throwable e) {

@@ -9,7 +9,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 
 /** {@code brickless view}: a run to watch and to touch. */
-@Command(name = "view", description = "Runs a program in the browser, to watch and to touch.", mixinStandardHelpOptions = true)
+@Command(name = "view", description = "Runs a program in the browser, to watch and to touch.",
+        mixinStandardHelpOptions = true)
 final class ViewCommand implements Callable<Integer> {
     @Mixin
     private RunOptions options;
@@ -17,7 +18,8 @@ final class ViewCommand implements Callable<Integer> {
     @Mixin
     private ViewFlags flags;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "Folder for the files of the run (default: build/simulations/<main>).")
+    @Option(names = "--out", paramLabel = "DIR",
+            description = "Folder for the files of the run (default: build/simulations/<main>).")
     private Path out;
 
     @Option(names = "--json", description = "Prints one JSON object as the last line.")
@@ -26,7 +28,8 @@ final class ViewCommand implements Callable<Integer> {
     @ParentCommand
     private Main main;
 
-    @Override public Integer call() throws InterruptedException {
+    @Override
+    public Integer call() throws InterruptedException {
         options.forPeople();
         return new Showing(main.out()).show(options, flags, Optional.ofNullable(out), json);
     }

@@ -9,10 +9,12 @@ import picocli.CommandLine.TypeConversionException;
 
 /** Options of the live view. */
 final class ViewFlags {
-    @Option(names = "--port", paramLabel = "N", defaultValue = "0", description = "Port on this machine (default: any that is free).")
+    @Option(names = "--port", paramLabel = "N", defaultValue = "0",
+            description = "Port on this machine (default: any that is free).")
     private int port;
 
-    @Option(names = "--token", paramLabel = "TEXT", description = "Secret part of the address, at least 16 characters (default: random). "
+    @Option(names = "--token", paramLabel = "TEXT",
+            description = "Secret part of the address, at least 16 characters (default: random). "
             + "With the same port and token an open page finds a restarted view again.")
     private String token;
 
@@ -37,8 +39,10 @@ final class ViewFlags {
     }
 
     private static final class SpeedConverter implements ITypeConverter<Double> {
-        @Override public Double convert(String value) {
-            return Speed.parse(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no speed; allowed: 0.1 to 100, max"));
+        @Override
+        public Double convert(String value) {
+            return Speed.parse(value).orElseThrow(() ->
+                    new TypeConversionException("'" + value + "' is no speed; allowed: 0.1 to 100, max"));
         }
     }
 }

@@ -1,2 +1,5 @@
-/** The command line program. Used by nobody. May use: {@code brickless.simulation} and below, {@code brickless.viewer}, picocli. */
+/**
+ * The command line program. Used by nobody. May use: {@code brickless.simulation} and below, {@code brickless.viewer},
+ * picocli.
+ */
 package brickless.cli;

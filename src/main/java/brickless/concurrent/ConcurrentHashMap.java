@@ -5,8 +5,9 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
- * The JDK's ConcurrentHashMap, except that it holds no lock of the JDK while it calls a function of the program: the four methods that
- * compute a value exclude each other by the map's monitor. When another method changes the entry meanwhile, the function is called again.
+ * The JDK's ConcurrentHashMap, except that it holds no lock of the JDK while it calls a function of the program: the
+ * four methods that compute a value exclude each other by the map's monitor. When another method changes the entry
+ * meanwhile, the function is called again.
  *
  * <p>The loader only makes programs construct and extend this class; the type that they use stays the JDK's.
  */

@@ -2,7 +2,10 @@ package brickless.concurrent;
 
 import java.util.Random;
 
-/** {@code java.util.concurrent.ThreadLocalRandom}: one generator for all threads of the robot, seeded from the robot's random stream. */
+/**
+ * {@code java.util.concurrent.ThreadLocalRandom}: one generator for all threads of the robot, seeded from the robot's
+ * random stream.
+ */
 public final class ThreadLocalRandom extends Random {
     private static final long serialVersionUID = 1L;
     private static final ThreadLocalRandom INSTANCE = new ThreadLocalRandom(new Random().nextLong());

@@ -9,7 +9,8 @@ public interface AnalogChannel {
     double pin6Volts();
 
     /**
-     * Sets the pin drive for an NXT/RCX sensor type number (0 to 19 of {@code SensorConstants}) and waits for one fresh sample.
+     * Sets the pin drive for an NXT/RCX sensor type number (0 to 19 of {@code SensorConstants}) and waits for one fresh
+     * sample.
      *
      * @return false if the type cannot be driven on analogue pins
      */
@@ -18,7 +19,8 @@ public interface AnalogChannel {
     /**
      * Reads the voltages of an NXT colour sensor.
      *
-     * @return red, green, blue, background in volts, and as fifth value the LEGO colour id 1 to 6 (0 = none); empty when no such sensor is plugged
+     * @return red, green, blue, background in volts, and as fifth value the LEGO colour id 1 to 6 (0 = none); empty
+     *         when no such sensor is plugged
      */
     float[] colourVolts();
 }

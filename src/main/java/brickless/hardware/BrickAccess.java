@@ -7,7 +7,8 @@ import java.util.ServiceLoader;
  * Finds the brick that the calling program runs on.
  *
  * <p>This class is defined anew in every robot's class loader, so its static field is that robot's own. Loaded by the
- * application loader (a plain {@code java -cp} run) the first {@link #brick()} starts a live simulation through {@link BrickProvider}.
+ * application loader (a plain {@code java -cp} run) the first {@link #brick()} starts a live simulation through
+ * {@link BrickProvider}.
  */
 public final class BrickAccess {
     private static BrickHardware current;
@@ -22,7 +23,8 @@ public final class BrickAccess {
     public static synchronized BrickHardware brick() {
         if (current == null) {
             current = ServiceLoader.load(BrickProvider.class).findFirst()
-                    .orElseThrow(() -> new IllegalStateException("no virtual brick: put brickless.jar on the class path or use 'brickless run'"))
+                    .orElseThrow(() -> new IllegalStateException(
+                            "no virtual brick: put brickless.jar on the class path or use 'brickless run'"))
                     .startLive();
         }
         return current;

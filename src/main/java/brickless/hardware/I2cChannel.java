@@ -15,5 +15,6 @@ public interface I2cChannel {
      * @param write bytes to write, may be null when {@code writeLength} is 0
      * @param read array to fill, may be null when {@code readLength} is 0
      */
-    Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset, int readLength);
+    Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read, int readOffset,
+            int readLength);
 }

@@ -1,10 +1,11 @@
 package brickless.hardware;
 
 /**
- * Closed-loop control of one motor: trapezoid planner, tracking loop, stall detection and hold, run in the simulator's control tick.
+ * Closed-loop control of one motor: trapezoid planner, tracking loop, stall detection and hold, run in the simulator's
+ * control tick.
  *
- * <p>Angles are degrees in the hardware frame (the frame of {@link MotorSocket#tachoDegrees()} without any user offset), forward
- * positive. {@link MotorSocket#resetTacho()} also moves this frame.
+ * <p>Angles are degrees in the hardware frame (the frame of {@link MotorSocket#tachoDegrees()} without any user
+ * offset), forward positive. {@link MotorSocket#resetTacho()} also moves this frame.
  */
 public interface MotorRegulation {
     /** Limit of a move without end; used with a sign. */
@@ -19,10 +20,16 @@ public interface MotorRegulation {
      */
     void move(MoveRequest request);
 
-    /** Re-plans the running move to the same target with another speed; ignored unless it is starting, accelerating or cruising. */
+    /**
+     * Re-plans the running move to the same target with another speed; ignored unless it is starting, accelerating or
+     * cruising.
+     */
     void adjustSpeed(float degreesPerSecond);
 
-    /** Re-plans the running move to the same target with another acceleration; ignored unless it is starting, accelerating or cruising. */
+    /**
+     * Re-plans the running move to the same target with another acceleration; ignored unless it is starting,
+     * accelerating or cruising.
+     */
     void adjustAcceleration(int degreesPerSecondSquared);
 
     /**

@@ -8,4 +8,5 @@ package brickless.hardware;
  * @param positionDegrees position of the controller's model, hardware frame
  * @param velocityDegreesPerSecond velocity of the controller's model, forward positive
  */
-public record MotorSnapshot(RegulationState state, int tachoDegrees, float positionDegrees, float velocityDegreesPerSecond) {}
+public record MotorSnapshot(RegulationState state, int tachoDegrees, float positionDegrees,
+        float velocityDegreesPerSecond) {}

@@ -8,4 +8,5 @@ package brickless.hardware;
  * @param limitDegrees absolute target angle in the hardware frame, or ±{@link MotorRegulation#NO_LIMIT}
  * @param hold whether the position is held actively at the end; otherwise the motor coasts
  */
-public record MoveRequest(float speedDegreesPerSecond, int accelerationDegreesPerSecondSquared, int limitDegrees, boolean hold) {}
+public record MoveRequest(float speedDegreesPerSecond, int accelerationDegreesPerSecondSquared, int limitDegrees,
+        boolean hold) {}

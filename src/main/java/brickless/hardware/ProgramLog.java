@@ -2,7 +2,10 @@ package brickless.hardware;
 
 /** What the program tells the outside. Nothing here blocks or throws. */
 public interface ProgramLog {
-    /** Bytes the program printed to {@code System.out} ({@code error} false) or {@code System.err} (true), in the order printed. */
+    /**
+     * Bytes the program printed to {@code System.out} ({@code error} false) or {@code System.err} (true), in the order
+     * printed.
+     */
     void printed(byte[] bytes, int offset, int length, boolean error);
 
     /** A thread of the program ended with an exception that no handler of the program took. */

@@ -11,4 +11,5 @@ package brickless.hardware;
  * @param holdD differential gain while holding
  * @param offsetPercent duty added in the direction of motion to overcome friction, 0 to 100
  */
-public record RegulationTuning(float moveP, float moveI, float moveD, float holdP, float holdI, float holdD, float offsetPercent) {}
+public record RegulationTuning(float moveP, float moveI, float moveD, float holdP, float holdI, float holdD,
+        float offsetPercent) {}

@@ -9,7 +9,9 @@ public interface UartChannel {
      */
     boolean initialise(int mode);
 
-    /** Switches the mode, blocking until data of the new mode arrives; false if the device has no such mode or is gone. */
+    /**
+     * Switches the mode, blocking until data of the new mode arrives; false if the device has no such mode or is gone.
+     */
     boolean setMode(int mode);
 
     /** Restarts the device: it sends nothing (and is dark) until the next {@link #initialise(int)}. */

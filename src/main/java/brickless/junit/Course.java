@@ -11,7 +11,8 @@ import org.opentest4j.AssertionFailedError;
 final class Course<T> {
     /** An instant and the value then. */
     private record Moment<T>(Duration time, T value) {
-        @Override public String toString() {
+        @Override
+        public String toString() {
             return value + " at " + Seconds.text(time) + " s";
         }
     }

@@ -18,11 +18,13 @@ import org.junit.platform.commons.support.AnnotationSupport;
 final class SeedsProvider implements TestTemplateInvocationContextProvider {
     private static final Pattern RANGE = Pattern.compile("(-?\\d{1,18})(?:\\.\\.(-?\\d{1,18}))?");
 
-    @Override public boolean supportsTestTemplate(ExtensionContext context) {
+    @Override
+    public boolean supportsTestTemplate(ExtensionContext context) {
         return seeds(context).isPresent();
     }
 
-    @Override public Stream<TestTemplateInvocationContext> provideTestTemplateInvocationContexts(
+    @Override
+    public Stream<TestTemplateInvocationContext> provideTestTemplateInvocationContexts(
             ExtensionContext context) {
         return parse(seeds(context).orElseThrow().value()).mapToObj(SeedInvocation::new);
     }
@@ -51,11 +53,13 @@ final class SeedsProvider implements TestTemplateInvocationContextProvider {
 
     /** One invocation. */
     private record SeedInvocation(long seed) implements TestTemplateInvocationContext {
-        @Override public String getDisplayName(int invocationIndex) {
+        @Override
+        public String getDisplayName(int invocationIndex) {
             return "seed " + seed;
         }
 
-        @Override public List<Extension> getAdditionalExtensions() {
+        @Override
+        public List<Extension> getAdditionalExtensions() {
             return List.of((BeforeEachCallback) context -> TestSimulation.of(context).seed(seed));
         }
     }

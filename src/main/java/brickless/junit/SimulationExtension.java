@@ -22,12 +22,14 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
     /** Creates the extension; JUnit does. */
     public SimulationExtension() {}
 
-    @Override public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+    @Override
+    public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
         Class<?> type = parameter.getParameter().getType();
         return type == Simulation.class || type == Run.class;
     }
 
-    @Override public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+    @Override
+    public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
         if (context.getTestMethod().isEmpty()) {
             throw new ParameterResolutionException(
                     "every test has its own simulation: constructors and @BeforeAll methods cannot have one");
@@ -39,13 +41,15 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
         return parameter.getParameter().getType() == Run.class ? simulation.run() : simulation.simulation();
     }
 
-    @Override public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
+    @Override
+    public void interceptTestMethod(Invocation<Void> invocation, ReflectiveInvocationContext<Method> call,
             ExtensionContext context)
             throws Throwable {
         test(invocation, call, context);
     }
 
-    @Override public void interceptTestTemplateMethod(Invocation<Void> invocation,
+    @Override
+    public void interceptTestTemplateMethod(Invocation<Void> invocation,
             ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         test(invocation, call, context);
@@ -61,13 +65,15 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
         }
     }
 
-    @Override public void interceptBeforeEachMethod(Invocation<Void> invocation,
+    @Override
+    public void interceptBeforeEachMethod(Invocation<Void> invocation,
             ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         outsideOnly(invocation, context);
     }
 
-    @Override public void interceptAfterEachMethod(Invocation<Void> invocation,
+    @Override
+    public void interceptAfterEachMethod(Invocation<Void> invocation,
             ReflectiveInvocationContext<Method> call,
             ExtensionContext context) throws Throwable {
         outsideOnly(invocation, context);
@@ -88,7 +94,8 @@ public final class SimulationExtension implements ParameterResolver, InvocationI
                 context.getEnclosingTestClasses()).isPresent();
     }
 
-    @Override public void afterEach(ExtensionContext context) {
+    @Override
+    public void afterEach(ExtensionContext context) {
         TestSimulation.of(context).close(context.getExecutionException());
     }
 }

@@ -8,7 +8,8 @@ final class SimulationStory extends RuntimeException {
         super(story, null, false, false);
     }
 
-    @Override public String toString() {
+    @Override
+    public String toString() {
         return getMessage();
     }
 }

@@ -73,14 +73,18 @@ final class ContinuationBackend implements Backend {
 
     @Override
     public StackTraceElement[] stackOf(Fibre fibre) {
-        Strand strand = strandOf(fibre);
-        Carrier carrier = strand.mountedOn;
-        return carrier != null ? carrier.getStackTrace() : ContinuationAccess.stackOf(strand.continuation);
+        Thread carrier = hostThreadOf(fibre);
+        return carrier != null ? carrier.getStackTrace() : ContinuationAccess.stackOf(strandOf(fibre).continuation);
     }
 
     @Override
     public Thread hostThreadOf(Fibre fibre) {
-        return strandOf(fibre).mountedOn;
+        for (Carrier carrier : carriers) {
+            if (carrier.mounted == fibre.stack) {
+                return carrier;
+            }
+        }
+        return null;
     }
 
     @Override
@@ -95,12 +99,12 @@ final class ContinuationBackend implements Backend {
 
     /** The calling fibre cannot leave its carrier: another one goes on with the others. */
     private void waitPinned(Strand strand) {
-        Carrier carrier = strand.mountedOn;
-        strand.pinned = true;
-        Carrier other = strandOf(next).pinned ? strandOf(next).mountedOn : spareCarrier();
-        give(other);
+        Carrier carrier = (Carrier) Thread.currentThread();
+        strand.pinnedTo = carrier;
+        Carrier other = strandOf(next).pinnedTo;
+        give(other != null ? other : spareCarrier());
         carrier.turn.await();
-        strand.pinned = false;
+        strand.pinnedTo = null;
         if (ended) {
             throw new ProgramKilled();
         }
@@ -131,9 +135,8 @@ final class ContinuationBackend implements Backend {
         private final ClassLoader contextLoader;
         private Object locals;
         private Object inheritableLocals;
-        private boolean pinned;
-        /** Read by the watchdog. */
-        private volatile Carrier mountedOn;
+        /** The carrier that waits until this fibre, which cannot leave it, has the turn; else null. */
+        private Carrier pinnedTo;
 
         Strand(Fibre fibre, boolean inheritThreadLocals) {
             continuation = ContinuationAccess.create(fibre::run);
@@ -145,18 +148,19 @@ final class ContinuationBackend implements Backend {
 
         /** Runs on a carrier until the fibre is switched away from or ends. */
         void mount(Carrier carrier) {
-            mountedOn = carrier;
-            if (carrier.getContextClassLoader() != contextLoader) {
-                carrier.setContextClassLoader(contextLoader);
+            carrier.receive(this);
+            if (locals != null || inheritableLocals != null) {
+                ContinuationAccess.setLocals(carrier, locals, inheritableLocals);
             }
-            ContinuationAccess.setLocals(carrier, locals, inheritableLocals);
             try {
                 ContinuationAccess.run(continuation);
             } finally {
                 locals = ContinuationAccess.locals(carrier);
                 inheritableLocals = ContinuationAccess.inheritableLocals(carrier);
-                ContinuationAccess.setLocals(carrier, null, null);
-                mountedOn = null;
+                if (locals != null || inheritableLocals != null) {
+                    ContinuationAccess.setLocals(carrier, null, null);
+                }
+                carrier.mounted = null;
             }
         }
     }
@@ -164,11 +168,23 @@ final class ContinuationBackend implements Backend {
     /** A host thread that runs continuations while it has the turn. */
     private final class Carrier extends Thread {
         private final Turn turn = new Turn(this);
+        private ClassLoader contextLoader;
+        /** Others only compare it, so it need not be volatile. */
+        private Strand mounted;
 
         Carrier() {
             super(null, null, "brickless carrier", stackBytes, false);
             setDaemon(true);
+            contextLoader = getContextClassLoader();
             carriers.add(this);
+        }
+
+        void receive(Strand strand) {
+            mounted = strand;
+            if (contextLoader != strand.contextLoader) {
+                contextLoader = strand.contextLoader;
+                setContextClassLoader(contextLoader);
+            }
         }
 
         @Override
@@ -187,12 +203,15 @@ final class ContinuationBackend implements Backend {
             while (!ended) {
                 if (next == null) {
                     endRun();
-                } else if (strandOf(next).pinned) {
-                    idle.push(this);
-                    give(strandOf(next).mountedOn);
-                    turn.await();
+                    return;
+                }
+                Strand strand = strandOf(next);
+                if (strand.pinnedTo == null) {
+                    strand.mount(this);
                 } else {
-                    strandOf(next).mount(this);
+                    idle.push(this);
+                    give(strand.pinnedTo);
+                    turn.await();
                 }
             }
         }

@@ -27,7 +27,7 @@ final class DeadlockDetector {
 
     /** Looks for a cycle through a fibre that blocks now. */
     void blocked(Fibre fibre) {
-        if (waitsFor(fibre) == null || !inCycle(fibre)) {
+        if (fibre.state == FibreState.SLEEPING || waitsFor(fibre) == null || !inCycle(fibre)) {
             return;
         }
         if (cycleHasJoin(fibre)) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Several kernels, one for each robot of a world, that meet at the physics steps.
@@ -13,16 +14,16 @@ import java.util.concurrent.CancellationException;
  * concerns the whole world belongs into the step handler. All kernels share the first kernel's back-end and watchdog
  * settings and must have the same step length.
  *
- * <p>With one kernel, the step handler is called straight from its clock.
+ * <p>All of this happens on the stack of whichever fibre gave its processor up last.
  */
 public final class Ensemble {
     private final List<Kernel> kernels;
     private final StepHandler stepHandler;
     private final Heartbeat heartbeat = new Heartbeat();
-    private final boolean[] over;
+    private final long stepNanos;
     private Backend backend;
-    /** Whose share runs; written by the running fibre, read by the watchdog. */
-    private volatile int running;
+    /** Whose share runs; written by the running fibre, and opaque, because the watchdog reads it. */
+    private final AtomicInteger running = new AtomicInteger();
     private long boundaryNanos;
 
     /**
@@ -34,11 +35,11 @@ public final class Ensemble {
     public Ensemble(List<Kernel> kernels, StepHandler stepHandler) {
         this.kernels = List.copyOf(kernels);
         this.stepHandler = stepHandler;
-        this.over = new boolean[kernels.size()];
         if (kernels.stream().mapToLong(kernel -> kernel.settings().stepNanos()).distinct().count() != 1) {
             throw new IllegalArgumentException(
                     "an ensemble needs at least one kernel, and all with the same step length");
         }
+        stepNanos = kernels.get(0).settings().stepNanos();
     }
 
     /**
@@ -51,12 +52,10 @@ public final class Ensemble {
     public List<ProgramEnd> run() {
         KernelSettings settings = kernels.get(0).settings();
         backend = settings.backend().open(settings.stackBytes());
-        for (int i = 0; i < over.length; i++) {
-            kernels.get(i).prepare(this::nextAfterEnd, handlerFor(i), backend, heartbeat);
-        }
+        kernels.forEach(kernel -> kernel.prepare(this::next, stepHandler != null, backend, heartbeat));
         Watchdog watchdog = Watchdog.watch(heartbeat, settings.watchdogNanos(), this::hostThread, this::abandonRunaway);
         try {
-            backend.start(kernels.get(0).resumePoint(), this::failed);
+            backend.start(kernels.get(0).proceed(), this::failed);
             awaitEnd();
             return results();
         } finally {
@@ -65,47 +64,38 @@ public final class Ensemble {
         }
     }
 
-    private StepHandler handlerFor(int index) {
-        if (stepHandler == null) {
-            return null;
-        }
-        return over.length == 1 ? this::step : timeNanos -> boundaryReached(index, timeNanos);
-    }
-
-    /** Kernel {@code index} has done its share: the next one goes on; after the last one the world steps. */
-    private void boundaryReached(int index, long timeNanos) {
-        boundaryNanos = timeNanos;
-        int next = firstLive(index + 1);
-        if (next < 0) {
-            step(timeNanos);
-            next = firstLive(0);
-        }
-        if (next != index) {
-            running = next;
-            backend.switchTo(kernels.get(index).resumePoint(), kernels.get(next).resumePoint());
-        }
-    }
-
-    private Fibre nextAfterEnd(Kernel kernel) {
-        int index = kernels.indexOf(kernel);
-        over[index] = true;
-        int next = firstLive(index + 1);
-        if (next < 0) {
-            next = firstLive(0);
-            if (next >= 0 && stepHandler != null) {
-                step(boundaryNanos);
+    /**
+     * The kernel whose share runs is done with it: the others have theirs, until a fibre is to run. Robots without one
+     * need none of their stacks for that.
+     */
+    private Fibre next() {
+        while (true) {
+            Kernel kernel = following();
+            Fibre fibre = kernel == null ? null : kernel.proceed();
+            if (kernel == null || fibre != null) {
+                return fibre;
             }
         }
-        if (next < 0) {
-            return null;
+    }
+
+    /** Whose share comes next; after the last one's the world steps. Null if all programs are over. */
+    private Kernel following() {
+        int index = firstLive(running.getPlain() + 1);
+        if (index < 0) {
+            index = firstLive(0);
+            if (index < 0) {
+                return null;
+            }
+            boundaryNanos += stepNanos;
+            step(boundaryNanos);
         }
-        running = next;
-        return kernels.get(next).resumePoint();
+        running.setOpaque(index);
+        return kernels.get(index);
     }
 
     private int firstLive(int from) {
-        for (int i = from; i < over.length; i++) {
-            if (!over[i]) {
+        for (int i = from; i < kernels.size(); i++) {
+            if (!kernels.get(i).over()) {
                 return i;
             }
         }
@@ -164,13 +154,13 @@ public final class Ensemble {
 
     /** From the watchdog's thread. */
     private Thread hostThread() {
-        Fibre fibre = kernels.get(running).resumePoint();
+        Fibre fibre = kernels.get(running.getOpaque()).currentFibre();
         return fibre == null ? null : backend.hostThreadOf(fibre);
     }
 
     /** From the watchdog's thread. */
     private void abandonRunaway() {
-        Kernel runaway = kernels.get(running);
+        Kernel runaway = kernels.get(running.getOpaque());
         String dump = runaway.dump("runaway");
         runaway.ending().abandon(runaway.nowNanos(), dump);
         abandonAll("ended because " + runaway.settings().name() + " is a runaway\n");

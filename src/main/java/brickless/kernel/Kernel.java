@@ -40,7 +40,6 @@ public final class Kernel implements VirtualMachine, Processor {
     private final Streams streams = new Streams();
     private KernelListener listener = new KernelListener() { };
     private String backendName;
-    private Turns turns;
     private Thread mainThread;
     private Runnable mainBody;
     private ClassLoader contextLoader;
@@ -364,22 +363,40 @@ public final class Kernel implements VirtualMachine, Processor {
         streams.set(out, err, in);
     }
 
-    /** Makes ready to be switched to: {@link #resumePoint} is the main thread, which has not run. */
-    void prepare(Turns newTurns, StepHandler handler, Backend backend, Heartbeat heartbeat) {
+    /**
+     * Makes the main thread ready to run.
+     *
+     * @param steps whether there is physics, so that {@link #proceed} stops at each step
+     */
+    void prepare(Turns turns, boolean steps, Backend backend, Heartbeat heartbeat) {
         if (mainThread == null || clock.budget() == null) {
             throw new IllegalStateException("the kernel needs bind(…) and main(…) before it runs");
         }
-        turns = newTurns;
         contextLoader = mainThread.getContextClassLoader();
-        clock.stepWith(handler);
+        if (steps) {
+            clock.stopAtSteps();
+        }
         backendName = backend.name();
-        scheduler.attach(backend, heartbeat);
+        scheduler.attach(backend, heartbeat, turns);
         admit(mainThread, mainBody);
         scheduler.begin();
     }
 
-    /** The fibre whose stack goes on when it is this kernel's turn. */
-    Fibre resumePoint() {
+    /**
+     * Goes on, on the stack of whoever has the host's turn, until a fibre is to run: returns it. Null if there is nothing
+     * left to do before the next physics step, or at all.
+     */
+    Fibre proceed() {
+        return scheduler.proceed();
+    }
+
+    /** Whether all threads have ended and unwound. */
+    boolean over() {
+        return scheduler.over();
+    }
+
+    /** The fibre that runs when it is this kernel's turn, or that ran last. */
+    Fibre currentFibre() {
         return scheduler.current();
     }
 
@@ -400,7 +417,6 @@ public final class Kernel implements VirtualMachine, Processor {
         mainThread = null;
         mainBody = null;
         contextLoader = null;
-        turns = null;
     }
 
     private void end(ProgramEnd.Kind kind) {
@@ -448,7 +464,6 @@ public final class Kernel implements VirtualMachine, Processor {
             shutdown.begin(0);
         }
         Backend backend = scheduler.backend();
-        Fibre successor = scheduler.successor();
-        backend.finish(fibre, successor != null ? successor : turns.nextAfterEnd(this));
+        backend.finish(fibre, scheduler.successor());
     }
 }

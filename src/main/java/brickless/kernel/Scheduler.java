@@ -7,8 +7,9 @@ import java.util.List;
  * One virtual processor: decides which fibre runs, when it loses the processor, and lets the clock jump while all
  * wait.
  *
- * <p>Runs on the running fibre's stack and nowhere else. A fibre that blocks while no other is ready drives the clock
- * itself until something is ready; if that is the same fibre, it just goes on and no stack is switched.
+ * <p>What is asked of it by the running fibre runs on that one's stack. All else, {@link #proceed}, needs no stack of the
+ * program: a fibre that gives the processor up drives its own clock, and at a physics step those of the other robots,
+ * until a fibre is found that goes on. If that is the same one, no stack is switched; no stack is entered in vain.
  */
 final class Scheduler {
     private final VirtualClock clock;
@@ -20,7 +21,10 @@ final class Scheduler {
     private KernelListener listener = new KernelListener() { };
     private Backend backend;
     private Heartbeat heartbeat;
+    private Turns turns;
     private Fibre current;
+    private Then then = Then.RUN;
+    private boolean over;
     /**
      * When another ready fibre gets its turn; a fibre that outlives its slice alone is preempted as soon as another
      * is ready.
@@ -31,6 +35,18 @@ final class Scheduler {
      * Time-outs that are set, plus fibres that wait for a device: if none, nobody blocked can be woken from outside.
      */
     private int wakeable;
+
+    /** What is decided when the clock has got to where it is headed. */
+    private enum Then {
+        /** Nothing: the current fibre runs. */
+        RUN,
+        /** Whether the current fibre, which was charged, keeps the processor. */
+        CHARGED,
+        /** Whether the current fibre, which yielded, keeps the processor. */
+        YIELDED,
+        /** Who runs next; the current fibre is blocked, ready or ended. */
+        CHOOSE
+    }
 
     Scheduler(VirtualClock clock, Ending ending, Schedule schedule, Roster roster) {
         this.clock = clock;
@@ -44,9 +60,10 @@ final class Scheduler {
         listener = newListener;
     }
 
-    void attach(Backend newBackend, Heartbeat newHeartbeat) {
+    void attach(Backend newBackend, Heartbeat newHeartbeat, Turns newTurns) {
         backend = newBackend;
         heartbeat = newHeartbeat;
+        turns = newTurns;
     }
 
     Fibre current() {
@@ -74,21 +91,8 @@ final class Scheduler {
     void charge(long nanos) {
         if (!clock.spend(nanos)) {
             enter();
-            clock.settle(nanos);
-            ending.throwIfKilling();
-            if (keepsProcessor() || clock.now() < sliceEnd) {
-                grant();
-            } else {
-                preempt();
-            }
+            goOn(nanos, Then.CHARGED);
         }
-    }
-
-    /** Lets the others run first. */
-    void preempt() {
-        makeReady(current);
-        dispatch();
-        ending.throwIfKilling();
     }
 
     /** {@code Thread.yield}: charges, the more the longer the fibre has made no progress. */
@@ -100,13 +104,7 @@ final class Scheduler {
             return;
         }
         enter();
-        clock.settle(nanos);
-        ending.throwIfKilling();
-        if (keepsProcessor()) {
-            grant();
-        } else {
-            preempt();
-        }
+        goOn(nanos, Then.YIELDED);
     }
 
     /** The running fibre keeps the processor from the first such begin to the last end, unless it blocks. */
@@ -125,7 +123,8 @@ final class Scheduler {
     void preemptBeforeMonitor() {
         if (!keepsProcessor() && schedule.preemptsBeforeMonitor()) {
             enter();
-            preempt();
+            makeReady(current);
+            goOn(0, Then.CHOOSE);
         }
     }
 
@@ -148,8 +147,7 @@ final class Scheduler {
             wakeable++;
         }
         deadlocks.blocked(me);
-        dispatch();
-        ending.throwIfKilling();
+        goOn(0, Then.CHOOSE);
         return me.wake;
     }
 
@@ -195,14 +193,14 @@ final class Scheduler {
         }
     }
 
-    /** Makes the first fibre the running one; the back-end will enter it. */
+    /** Makes the first fibre the current one, to be entered when its turn comes. */
     void begin() {
         activate(ready.poll());
     }
 
     /** Stops the budget, so that the next back-edge enters the kernel and finds the program being ended. */
     void exhaustBudget() {
-        clock.settle(0);
+        clock.exhaust();
     }
 
     /** Lets go of the program after the run. */
@@ -210,15 +208,44 @@ final class Scheduler {
         current = null;
         ready = new FibreQueue();
         backend = null;
+        turns = null;
     }
 
-    /** What runs after the running fibre has ended, already made current; null if the program is over. */
+    /** The running fibre has ended: whom the back-end goes on with, null if all programs are over. */
     Fibre successor() {
-        Fibre next = next();
-        if (next != null) {
-            activate(next);
+        clock.headFor(0);
+        then = Then.CHOOSE;
+        return turn();
+    }
+
+    /** Whether no fibre has a stack any more and none will. */
+    boolean over() {
+        return over;
+    }
+
+    /**
+     * Goes on until it is known who runs next, and makes that fibre the current one. Needs no stack of its own: whoever
+     * has the host's turn may call it.
+     *
+     * @return null when the clock has stopped at a physics step, to be called again when the world has been stepped; or
+     *     when the program is over
+     */
+    Fibre proceed() {
+        if (then == Then.RUN) {
+            return current;
         }
-        return next;
+        if (!clock.advance()) {
+            return null;
+        }
+        if (then != Then.CHOOSE) {
+            if (keepsItsTurn()) {
+                grant();
+                return current;
+            }
+            makeReady(current);
+            then = Then.CHOOSE;
+        }
+        return choose();
     }
 
     private void makeReady(Fibre fibre) {
@@ -226,39 +253,53 @@ final class Scheduler {
         ready.addLast(fibre);
     }
 
-    /** The running fibre gave the processor up: runs others until it is chosen again. */
-    private void dispatch() {
+    /** Lets the clock advance by {@code nanos}; returns when the running fibre may go on. */
+    private void goOn(long nanos, Then decision) {
         Fibre me = current;
-        Fibre next = next();
-        if (next == me) {
-            activate(me);
-            return;
+        clock.headFor(nanos);
+        then = decision;
+        Fibre next = turn();
+        if (next != me) {
+            backend.switchTo(me, next);
         }
-        me.depth = clock.budget().depth();
-        activate(next);
-        switches++;
-        backend.switchTo(me, next);
+        ending.throwIfKilling();
     }
 
-    private Fibre next() {
-        clock.settle(0);
+    /** The fibre to run now, of this program or another one's; null if all programs are over. */
+    private Fibre turn() {
+        Fibre own = proceed();
+        return own != null ? own : turns.next();
+    }
+
+    private boolean keepsItsTurn() {
+        return ending.killing() || keepsProcessor() || then == Then.CHARGED && clock.now() < sliceEnd;
+    }
+
+    private Fibre choose() {
         while (!ending.killing()) {
             if (!ready.isEmpty()) {
-                return schedule.next(ready);
+                return activate(schedule.next(ready));
             }
             heartbeat.beat();
             if (wakeable == 0 || !clock.limited() && clock.nextDueNanos() == Long.MAX_VALUE) {
                 deadlocks.declare();
             } else {
-                clock.jump();
+                clock.headForNextDue();
+                if (!clock.advance()) {
+                    return null;
+                }
             }
         }
-        return nextToUnwind();
+        Fibre unwound = nextToUnwind();
+        over = unwound == null;
+        return over ? null : activate(unwound);
     }
 
-    private void activate(Fibre fibre) {
-        if (fibre != current) {
+    private Fibre activate(Fibre fibre) {
+        if (current != null && fibre != current) {
+            current.depth = clock.budget().depth();
             clock.budget().depth(fibre.depth);
+            switches += current.ended() ? 0 : 1;
         }
         current = fibre;
         fibre.begun = true;
@@ -267,6 +308,7 @@ final class Scheduler {
         if (!ending.killing()) {
             listener.scheduled(clock.now(), fibre.id);
         }
+        return fibre;
     }
 
     /** The oldest fibre that has a stack; those that never ran just vanish. */

@@ -44,7 +44,7 @@ final class SpinBackOff {
         backOff = 1;
     }
 
-    /** The thread spun to the end. */
+    /** The thread spun until its patience was over, or until another one wanted to spin. */
     void failed() {
         waitsLeft = backOff;
         backOff = Math.min(LONGEST_BACK_OFF, backOff * 2);

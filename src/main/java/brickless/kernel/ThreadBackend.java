@@ -10,7 +10,8 @@ import java.util.function.Consumer;
  * One platform thread for each fibre; exactly one has the turn, all others are parked.
  *
  * <p>The carrier that gave the turn away last may spin for a moment before it parks, because two threads often take
- * turns; see {@link SpinBackOff}.
+ * turns; see {@link SpinBackOff}. If it is not one of two, the next one to give the turn away puts an end to that, and
+ * the spinning was in vain.
  */
 final class ThreadBackend implements Backend {
     private final long stackBytes;
@@ -123,17 +124,14 @@ final class ThreadBackend implements Backend {
                 return;
             }
             spinner = this;
-            for (int i = 0; i < spins; i++) {
-                if (turn.given()) {
-                    backOff.succeeded();
-                    return;
-                }
-                if (spinner != this) {
-                    return;
-                }
+            for (int i = 0; i < spins && spinner == this && !turn.given(); i++) {
                 Thread.onSpinWait();
             }
-            backOff.failed();
+            if (turn.given()) {
+                backOff.succeeded();
+            } else {
+                backOff.failed();
+            }
         }
 
         @Override

@@ -1,10 +1,7 @@
 package brickless.kernel;
 
-/** Who goes on when a kernel's program has ended. */
+/** Who goes on when a kernel has nothing left to do before the next physics step, or at all. */
 interface Turns {
-    /**
-     * The fibre of another kernel to go on with, or null if all have ended. Called on the stack of the last fibre of
-     * {@code kernel}.
-     */
-    Fibre nextAfterEnd(Kernel kernel);
+    /** The fibre of this or another kernel to go on with, or null if all programs are over. */
+    Fibre next();
 }

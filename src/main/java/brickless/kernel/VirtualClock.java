@@ -8,7 +8,8 @@ import brickless.kernel.hooks.Budget;
  *
  * <p>Time now = {@code base} + what was granted − what is left. The grant never reaches beyond the next event, so
  * nothing that is due can be missed; what is overdue by the last charge runs, with the clock set to its own time, at
- * the next kernel entry and before any device can be touched. Used by the running fibre only.
+ * the next kernel entry and before any device can be touched. Used by the running fibre only, and at physics steps by
+ * whoever has the host's turn.
  */
 final class VirtualClock {
     private static final long LONGEST_GRANT_NANOS = 1_000_000_000L;
@@ -17,10 +18,11 @@ final class VirtualClock {
     private final Ending ending;
     private final long stepNanos;
     private final long limitNanos;
-    private StepHandler stepHandler;
     private Budget budget;
     private long base;
     private long granted;
+    /** Where {@link #advance} is going. */
+    private long goal;
     private long nextStepNanos = Long.MAX_VALUE;
     private long steps;
     private boolean advancing;
@@ -37,18 +39,13 @@ final class VirtualClock {
         budget.grant(0);
     }
 
-    /** Sets who is called at each multiple of the step length; null for nobody. */
-    void stepWith(StepHandler handler) {
-        stepHandler = handler;
-        nextStepNanos = handler == null ? Long.MAX_VALUE : (steps + 1) * stepNanos;
+    /** Makes the clock stop at each multiple of the step length. */
+    void stopAtSteps() {
+        nextStepNanos = (steps + 1) * stepNanos;
     }
 
     Budget budget() {
         return budget;
-    }
-
-    long stepNanos() {
-        return stepNanos;
     }
 
     long steps() {
@@ -82,17 +79,50 @@ final class VirtualClock {
         budget.grant(budget.left() - nanos);
     }
 
-    /**
-     * Brings the clock up to now + {@code nanos}, running all that is due on the way; stops early when the program is
-     * being ended.
-     */
-    void settle(long nanos) {
-        advanceTo(saturatedSum(now(), nanos));
+    /** Sets out for now + {@code nanos}: {@link #advance} gets there. */
+    void headFor(long nanos) {
+        exhaust();
+        goal = Math.min(saturatedSum(base, nanos), limitNanos);
+        advancing = true;
     }
 
-    /** Jumps to the next event or step and runs it, or to the limit. */
-    void jump() {
-        advanceTo(Math.max(now(), nextDueNanos()));
+    /** Sets out for the next event or step, or for the limit. */
+    void headForNextDue() {
+        exhaust();
+        goal = Math.min(Math.max(base, nextDueNanos()), limitNanos);
+        advancing = true;
+    }
+
+    /**
+     * Brings the clock to where it is headed, running all that is due on the way; ends early when the program is being
+     * ended.
+     *
+     * @return false if the clock stopped at a physics step: to be called again when the world has been stepped
+     */
+    boolean advance() {
+        while (!ending.killing()) {
+            long due = nextDueNanos();
+            if (due > goal || due == Long.MAX_VALUE) {
+                arrive();
+                break;
+            }
+            if (due == nextStepNanos) {
+                base = due;
+                nextStepNanos += stepNanos;
+                steps++;
+                return false;
+            }
+            runNextEvent();
+        }
+        advancing = false;
+        return true;
+    }
+
+    /** Takes back what is left of the grant: the program enters the kernel at its next charge. */
+    void exhaust() {
+        base = now();
+        granted = 0;
+        budget.grant(0);
     }
 
     /** Time of the next step or event, {@code Long.MAX_VALUE} if there is none. */
@@ -135,7 +165,6 @@ final class VirtualClock {
 
     void clear() {
         events.clear();
-        stepHandler = null;
         nextStepNanos = Long.MAX_VALUE;
     }
 
@@ -143,36 +172,18 @@ final class VirtualClock {
         return nanos > Long.MAX_VALUE - time ? Long.MAX_VALUE : time + nanos;
     }
 
-    private void advanceTo(long target) {
-        long goal = Math.min(target, limitNanos);
-        base = now();
-        granted = 0;
-        budget.grant(0);
-        advancing = true;
-        while (!ending.killing() && nextDueNanos() <= goal) {
-            runNext();
-        }
-        advancing = false;
-        if (!ending.killing()) {
-            base = goal;
-            if (goal == limitNanos && limited()) {
-                ending.kill(ProgramEnd.Kind.TIME_LIMIT, goal, 0, "");
-            }
+    private void arrive() {
+        base = goal;
+        if (goal == limitNanos && limited()) {
+            ending.kill(ProgramEnd.Kind.TIME_LIMIT, goal, 0, "");
         }
     }
 
-    private void runNext() {
+    private void runNextEvent() {
+        Event event = events.poll();
+        base = event.timeNanos;
         try {
-            if (nextStepNanos <= events.nextTimeNanos()) {
-                base = nextStepNanos;
-                nextStepNanos += stepNanos;
-                steps++;
-                stepHandler.step(base);
-            } else {
-                Event event = events.poll();
-                base = event.timeNanos;
-                event.run();
-            }
+            event.run();
         } catch (RuntimeException | Error e) {
             ending.hostFailed(e, base);
         }

@@ -39,12 +39,14 @@ final class LenientSourceFiles extends ForwardingJavaFileManager<StandardJavaFil
         return wrapped;
     }
 
-    @Override public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName, Set<JavaFileObject.Kind> kinds,
-            boolean recurse) throws IOException {
+    @Override
+    public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
+            Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
         return wrap(super.list(location, packageName, kinds, recurse));
     }
 
-    @Override public String inferBinaryName(JavaFileManager.Location location, JavaFileObject file) {
+    @Override
+    public String inferBinaryName(JavaFileManager.Location location, JavaFileObject file) {
         return super.inferBinaryName(location, file instanceof LenientSource source ? source.original() : file);
     }
 
@@ -57,7 +59,8 @@ final class LenientSourceFiles extends ForwardingJavaFileManager<StandardJavaFil
             return fileObject;
         }
 
-        @Override public CharSequence getCharContent(boolean ignoreEncodingErrors) throws IOException {
+        @Override
+        public CharSequence getCharContent(boolean ignoreEncodingErrors) throws IOException {
             try (var in = fileObject.openInputStream()) {
                 return decode(in.readAllBytes());
             }

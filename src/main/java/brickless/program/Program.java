@@ -52,7 +52,8 @@ public record Program(String name, String mainClass, List<Path> classPath, Optio
         return new Program(name, mainClass, classPath, temporary, Optional.of(text));
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         temporary.ifPresent(Program::delete);
     }
 

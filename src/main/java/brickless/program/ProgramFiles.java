@@ -14,7 +14,8 @@ public final class ProgramFiles {
     private ProgramFiles() {}
 
     /**
-     * Source files if the program was compiled, else class files or a jar; none for a class of the application's own class path.
+     * Source files if the program was compiled, else class files or a jar; none for a class of the application's own
+     * class path.
      *
      * @param directory directory that the program's name refers to
      * @throws ProgramException if they cannot be listed
@@ -34,7 +35,10 @@ public final class ProgramFiles {
         }
     }
 
-    /** The named source and those that the compiler found beside it: every class of a file's own name came from that file. */
+    /**
+     * The named source and those that the compiler found beside it: every class of a file's own name came from that
+     * file.
+     */
     private static List<Path> sources(Path named, Path classes) throws IOException {
         Set<Path> files = new LinkedHashSet<>(List.of(named));
         for (Path root : SourceCompiler.rootsOf(List.of(named))) {
@@ -50,7 +54,8 @@ public final class ProgramFiles {
 
     private static List<Path> filesBelow(Path folder, String ending) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
-            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file)).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(ending) && Files.isRegularFile(file))
+                    .sorted().toList();
         }
     }
 }

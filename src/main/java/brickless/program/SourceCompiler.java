@@ -25,8 +25,9 @@ import javax.tools.ToolProvider;
 /**
  * Compiles leJOS programs with the JDK's compiler, against Brickless' own {@code lejos} classes.
  *
- * <p>Java 8 rules are tried first, because that is what leJOS programs were written for (there {@code yield()} is still a method call) and
- * because the resulting bytecode is the same on every JDK; programs that need newer Java are compiled by the JDK's own rules.
+ * <p>Java 8 rules are tried first, because that is what leJOS programs were written for (there {@code yield()} is still
+ * a method call) and because the resulting bytecode is the same on every JDK; programs that need newer Java are
+ * compiled by the JDK's own rules.
  */
 final class SourceCompiler {
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
@@ -44,7 +45,8 @@ final class SourceCompiler {
     void compile(List<Path> sources, Set<Path> roots, Path target) throws ProgramException, IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         if (compiler == null) {
-            throw new ProgramException("no Java compiler here: run with a JDK instead of a JRE, or give compiled classes");
+            throw new ProgramException(
+                    "no Java compiler here: run with a JDK instead of a JRE, or give compiled classes");
         }
         CompileErrors asJava8 = attempt(compiler, sources, roots, target, List.of("--release", "8"));
         if (asJava8.count() == 0) {
@@ -67,12 +69,14 @@ final class SourceCompiler {
             options.addAll(rules);
             StringWriter rest = new StringWriter();
             LenientSourceFiles lenient = new LenientSourceFiles(files);
-            boolean fine = compiler.getTask(rest, lenient, messages, options, null, lenient.wrap(files.getJavaFileObjectsFromPaths(sources))).call();
+            boolean fine = compiler.getTask(rest, lenient, messages, options, null,
+                    lenient.wrap(files.getJavaFileObjectsFromPaths(sources))).call();
             if (fine) {
                 return new CompileErrors(List.of());
             }
         }
-        return new CompileErrors(messages.getDiagnostics().stream().filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
+        return new CompileErrors(messages.getDiagnostics().stream()
+                .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
     }
 
     /** Our leJOS before one that the program brings along, as when it runs; then the program's libraries. */

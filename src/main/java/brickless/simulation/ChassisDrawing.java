@@ -20,7 +20,9 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
     private static final double DEFAULT_RADIUS = 92;
     private static final double LEAST_RADIUS = 50;
     private static final double GREATEST_RADIUS = 300;
-    private static final String BODY = "data-part=\"chassis\" id=\"body\" data-mass-kg=\"0.75\" fill=\"#e8eaed\" stroke=\"#5f6368\" stroke-width=\"2\"";
+    private static final String BODY =
+            "data-part=\"chassis\" id=\"body\" data-mass-kg=\"0.75\" fill=\"#e8eaed\" stroke=\"#5f6368\" "
+                    + "stroke-width=\"2\"";
 
     /** The chassis for a program with these hints. */
     static ChassisDrawing of(HardwareHints hints) {
@@ -29,8 +31,10 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
 
     /** Motors that move no wheel: something is on their axle that a program does not tell. */
     List<String> tools(HardwareHints hints) {
-        return hints.motors().stream().filter(motor -> elements.stream().noneMatch(element -> element.contains(port(motor.port()))))
-                .map(motor -> format("<g data-part=\"turret\" id=\"motor-%s\"%s data-motor=\"%s\"/>", motor.port().toLowerCase(Locale.ROOT),
+        return hints.motors().stream()
+                .filter(motor -> elements.stream().noneMatch(element -> element.contains(port(motor.port()))))
+                .map(motor -> format("<g data-part=\"turret\" id=\"motor-%s\"%s data-motor=\"%s\"/>",
+                        motor.port().toLowerCase(Locale.ROOT),
                         port(motor.port()), DriveFit.motorAt(hints, motor.port())))
                 .toList();
     }
@@ -42,7 +46,8 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
     private static ChassisDrawing twoWheels(DriveFit drive) {
         double width = Math.max(70, drive.trackMillimetres() - 34);
         List<String> elements = new ArrayList<>();
-        elements.add(format("<rect %s x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"8\"/>", BODY, USUAL_FRONT - LENGTH, -width / 2, LENGTH, width));
+        elements.add(format("<rect %s x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"8\"/>", BODY,
+                USUAL_FRONT - LENGTH, -width / 2, LENGTH, width));
         elements.addAll(brick());
         elements.add("<circle data-part=\"caster\" id=\"caster\" cx=\"-82\" cy=\"0\" r=\"8\" fill=\"#3c4043\"/>");
         elements.add(wheel("left-wheel", drive.left(), -drive.trackMillimetres() / 2));
@@ -56,12 +61,14 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
     }
 
     private static String wheel(String id, DriveFit.Wheel wheel, double y) {
-        return format("<rect data-part=\"wheel\" id=\"%s\" x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"22\" rx=\"4\" fill=\"#202124\"%s/>", id,
-                -wheel.diameterMillimetres() / 2, y - 11, wheel.diameterMillimetres(), motor(wheel));
+        return format("<rect data-part=\"wheel\" id=\"%s\" x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"22\" "
+                + "rx=\"4\" fill=\"#202124\"%s/>", id, -wheel.diameterMillimetres() / 2, y - 11,
+                wheel.diameterMillimetres(), motor(wheel));
     }
 
     private static String motor(DriveFit.Wheel wheel) {
-        return format(" data-port=\"%s\" data-motor=\"%s\" data-diameter-mm=\"%.2f\"", wheel.port(), wheel.motor(), wheel.diameterMillimetres())
+        return format(" data-port=\"%s\" data-motor=\"%s\" data-diameter-mm=\"%.2f\"",
+                wheel.port(), wheel.motor(), wheel.diameterMillimetres())
                 + (wheel.gearRatio() == 1 ? "" : format(" data-gear-ratio=\"%.4f\"", wheel.gearRatio()))
                 + (wheel.inverted() ? " data-inverted=\"true\"" : "");
     }
@@ -85,14 +92,16 @@ record ChassisDrawing(List<String> elements, double front, double halfWidth) {
 
     /** The program counts angles counter-clockwise with y to the left, the drawing clockwise with y to the right. */
     private static String omniWheel(HardwareHints hints, HardwareHints.OmniWheel wheel) {
-        DriveFit.Wheel motor = new DriveFit.Wheel(wheel.port(), DriveFit.motorAt(hints, wheel.port()), TyreSize.millimetres(wheel.diameter()),
-                TyreSize.gearRatio(wheel.gearRatio()), hints.reversed().contains(wheel.port()));
+        DriveFit.Wheel motor = new DriveFit.Wheel(wheel.port(), DriveFit.motorAt(hints, wheel.port()),
+                TyreSize.millimetres(wheel.diameter()), TyreSize.gearRatio(wheel.gearRatio()),
+                hints.reversed().contains(wheel.port()));
         double direction = StrictMath.atan2(-wheel.y(), wheel.x());
         double diameter = motor.diameterMillimetres();
-        return format("<rect data-part=\"wheel\" id=\"wheel-%s\" data-omni=\"true\" transform=\"translate(%.2f %.2f) rotate(%.2f)\" x=\"%.2f\" y=\"-11\" "
-                + "width=\"%.2f\" height=\"22\" rx=\"4\" fill=\"#202124\"%s/>", wheel.port().toLowerCase(Locale.ROOT),
-                radius(wheel) * StrictMath.cos(direction), radius(wheel) * StrictMath.sin(direction), -wheel.headingDegrees(), -diameter / 2, diameter,
-                motor(motor));
+        return format("<rect data-part=\"wheel\" id=\"wheel-%s\" data-omni=\"true\" "
+                + "transform=\"translate(%.2f %.2f) rotate(%.2f)\" x=\"%.2f\" y=\"-11\" width=\"%.2f\" "
+                + "height=\"22\" rx=\"4\" fill=\"#202124\"%s/>", wheel.port().toLowerCase(Locale.ROOT),
+                radius(wheel) * StrictMath.cos(direction), radius(wheel) * StrictMath.sin(direction),
+                -wheel.headingDegrees(), -diameter / 2, diameter, motor(motor));
     }
 
     private static String format(String format, Object... values) {

@@ -20,10 +20,12 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     private static final double MAXIMUM_TRACK = 400;
     /** Pairs of ports in the order in which people wire two driven wheels, left first. */
     private static final List<String> USUAL_PAIRS = List.of("BC", "AD", "AB", "AC", "CD", "BD");
-    private static final List<HardwareHints.Device> USUAL_MOTORS = List.of(new HardwareHints.Device("B", "EV3LargeRegulatedMotor", ""),
+    private static final List<HardwareHints.Device> USUAL_MOTORS =
+            List.of(new HardwareHints.Device("B", "EV3LargeRegulatedMotor", ""),
             new HardwareHints.Device("C", "EV3LargeRegulatedMotor", ""));
     /** Names of motors that move something else than the robot. */
-    private static final Pattern TOOL = Pattern.compile("(?i).*(arm|claw|grip|grab|lift|fork|crane|turret|head|neck|kick|shoot|cannon|sensor"
+    private static final Pattern TOOL =
+            Pattern.compile("(?i).*(arm|claw|grip|grab|lift|fork|crane|turret|head|neck|kick|shoot|cannon|sensor"
             + "|sonar|eye|scan|hand|jaw|door|brush|pen|cage|greif|kopf|turm).*");
 
     /**
@@ -46,7 +48,8 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
         boolean swapped = Side.of(pair.get(1).name()) == Side.LEFT || Side.of(pair.get(0).name()) == Side.RIGHT;
         NamedSizes sizes = NamedSizes.of(hints.numbers());
         double diameter = TyreSize.plausible(sizes.diameterMillimetres().orElse(TyreSize.DEFAULT_MILLIMETRES));
-        return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0), diameter), guessed(hints, pair.get(swapped ? 0 : 1), diameter),
+        return new DriveFit(guessed(hints, pair.get(swapped ? 1 : 0), diameter),
+                guessed(hints, pair.get(swapped ? 0 : 1), diameter),
                 plausible(sizes.trackMillimetres().orElse(DEFAULT_TRACK)));
     }
 
@@ -77,8 +80,8 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     }
 
     private static Wheel declared(HardwareHints hints, HardwareHints.Wheel wheel, double unit) {
-        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.plausible(wheel.diameter() * unit), TyreSize.gearRatio(wheel.gearRatio()),
-                hints.reversed().contains(wheel.port()));
+        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.plausible(wheel.diameter() * unit),
+                TyreSize.gearRatio(wheel.gearRatio()), hints.reversed().contains(wheel.port()));
     }
 
     /** Left wheel first: by name if the names tell, else the one with the smaller offset, as most programs have it. */
@@ -96,16 +99,20 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
         return firstIsLeft ? wheels : List.of(second, first);
     }
 
-    /** Two motors that are named after sides, else a usual pair of ports; large motors before medium ones, tools last. */
+    /**
+     * Two motors that are named after sides, else a usual pair of ports; large motors before medium ones, tools last.
+     */
     private static List<HardwareHints.Device> guessedPair(List<HardwareHints.Device> motors) {
         List<HardwareHints.Device> wheels = twoOrMore(motors, motor -> !TOOL.matcher(motor.name()).matches());
         List<HardwareHints.Device> large = twoOrMore(wheels, motor -> !motorOf(motor).equals("medium"));
-        List<HardwareHints.Device> candidates = large.size() < wheels.size() ? large : twoOrMore(wheels, motor -> motorOf(motor).equals("medium"));
+        List<HardwareHints.Device> candidates = large.size() < wheels.size()
+                ? large : twoOrMore(wheels, motor -> motorOf(motor).equals("medium"));
         List<HardwareHints.Device> named = candidates.stream().filter(motor -> sideOf(motor) != Side.UNKNOWN).toList();
         if (named.size() == 2 && sideOf(named.get(0)) != sideOf(named.get(1))) {
             return named;
         }
-        return USUAL_PAIRS.stream().map(pair -> at(pair, candidates)).filter(both -> both.size() == 2).findFirst().orElse(USUAL_MOTORS);
+        return USUAL_PAIRS.stream().map(pair -> at(pair, candidates)).filter(both -> both.size() == 2).findFirst()
+                .orElse(USUAL_MOTORS);
     }
 
     private static Side sideOf(HardwareHints.Device motor) {
@@ -113,21 +120,26 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     }
 
     /** The motors of a kind if they are two or more, else all. */
-    private static List<HardwareHints.Device> twoOrMore(List<HardwareHints.Device> motors, Predicate<HardwareHints.Device> kind) {
+    private static List<HardwareHints.Device> twoOrMore(List<HardwareHints.Device> motors,
+            Predicate<HardwareHints.Device> kind) {
         List<HardwareHints.Device> some = motors.stream().filter(kind).toList();
         return some.size() >= 2 ? some : motors;
     }
 
     private static List<HardwareHints.Device> at(String ports, List<HardwareHints.Device> motors) {
-        return motors.stream().filter(motor -> ports.contains(motor.port())).sorted(Comparator.comparing(HardwareHints.Device::port)).toList();
+        return motors.stream().filter(motor -> ports.contains(motor.port()))
+                .sorted(Comparator.comparing(HardwareHints.Device::port)).toList();
     }
 
     /** Value of {@code data-motor} for the motor that a program uses at a port. */
     static String motorAt(HardwareHints hints, String port) {
-        return hints.motors().stream().filter(motor -> motor.port().equals(port)).findFirst().map(DriveFit::motorOf).orElse("large");
+        return hints.motors().stream().filter(motor -> motor.port().equals(port)).findFirst().map(DriveFit::motorOf)
+                .orElse("large");
     }
 
-    /** {@code Motor.A} is an {@code NXTRegulatedMotor} in leJOS whatever is plugged in; on an EV3 that is a large motor. */
+    /**
+     * {@code Motor.A} is an {@code NXTRegulatedMotor} in leJOS whatever is plugged in; on an EV3 that is a large motor.
+     */
     private static String motorOf(HardwareHints.Device motor) {
         return motor.lejosClass().contains("Medium") ? "medium" : "large";
     }

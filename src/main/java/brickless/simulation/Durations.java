@@ -29,6 +29,7 @@ public final class Durations {
             case "s" -> 1_000_000_000L;
             default -> 60_000_000_000L;
         };
-        return Optional.of(Duration.ofNanos(new BigDecimal(matcher.group(1)).multiply(BigDecimal.valueOf(nanosPerUnit)).longValue()));
+        return Optional.of(Duration.ofNanos(new BigDecimal(matcher.group(1)).multiply(BigDecimal.valueOf(nanosPerUnit))
+                .longValue()));
     }
 }

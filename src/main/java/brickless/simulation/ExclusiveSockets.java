@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Wraps sockets for real threads: every call holds the live processor's lock, except while it waits. Sockets that a socket hands out are
- * wrapped too, always by the same object. Thread-safe.
+ * Wraps sockets for real threads: every call holds the live processor's lock, except while it waits. Sockets that a
+ * socket hands out are wrapped too, always by the same object. Thread-safe.
  */
 final class ExclusiveSockets {
     private static final String SOCKETS = BrickHardware.class.getPackageName();
@@ -67,7 +67,8 @@ final class ExclusiveSockets {
             this.arguments = arguments;
         }
 
-        @Override public void run() {
+        @Override
+        public void run() {
             try {
                 result = method.invoke(socket, arguments);
             } catch (InvocationTargetException e) {

@@ -48,7 +48,8 @@ public final class FinishedRun {
         }
         if (!Files.isRegularFile(folder.resolve(TRACE))) {
             throw new SetupException(folder + ": is not the folder of a run: it holds no " + TRACE
-                    + (Files.exists(folder.resolve(TRACE + ".part")) ? "; the run that was writing it did not end" : ""));
+                    + (Files.exists(folder.resolve(TRACE + ".part"))
+                            ? "; the run that was writing it did not end" : ""));
         }
         return new FinishedRun(folder);
     }
@@ -72,7 +73,8 @@ public final class FinishedRun {
         try {
             TraceReader.read(folder.resolve(TRACE), models);
             if (!Files.isRegularFile(folder.resolve(WORLD))) {
-                throw new SetupException(folder.resolve(WORLD) + ": no such file; without it the arena cannot be drawn");
+                throw new SetupException(folder.resolve(WORLD)
+                        + ": no such file; without it the arena cannot be drawn");
             }
             ReportScene scene = new ReportScene(SvgWorldReader.read(folder.resolve(WORLD)), models.robots());
             try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(part))) {
@@ -122,18 +124,21 @@ public final class FinishedRun {
             return robots;
         }
 
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             recording.header(header);
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             if (names.isEmpty()) {
                 names = sample.robots().stream().map(RobotSample::name).toList();
             }
             recording.sample(sample);
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             recording.event(timeNanos, robot, event);
         }
     }

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The whole arena at one instant, for a picture: what moves, and what the sensors see. Metres and radians clockwise, in the drawing's frame.
+ * The whole arena at one instant, for a picture: what moves, and what the sensors see. Metres and radians clockwise, in
+ * the drawing's frame.
  *
  * @param timeNanos simulated time
  * @param robots every robot, in the order of the world
@@ -29,7 +30,10 @@ public record Frame(long timeNanos, List<RobotFrame> robots, List<BodySample> bo
         }
     }
 
-    /** Element id, letter of the motor's port, and the clockwise angle of a turret against the robot or the angle of a claw's motor. */
+    /**
+     * Element id, letter of the motor's port, and the clockwise angle of a turret against the robot or the angle of a
+     * claw's motor.
+     */
     public record Part(String id, char port, double angleRadians) {}
 
     /**

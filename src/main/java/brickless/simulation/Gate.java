@@ -6,8 +6,9 @@ import java.util.Queue;
 /**
  * Holds a run at a physics step until whoever drives it lets it go on.
  *
- * <p>Two host threads meet here, and only here: the driver (a test, the command line) and the run. While the run is held the driver may read
- * the robots' state and leave actions to be done when the run goes on. Guarded by this object's monitor.
+ * <p>Two host threads meet here, and only here: the driver (a test, the command line) and the run. While the run is
+ * held the driver may read the robots' state and leave actions to be done when the run goes on. Guarded by this
+ * object's monitor.
  */
 final class Gate {
     private final Queue<Runnable> actions = new ArrayDeque<>();

@@ -13,7 +13,8 @@ public record Goal(Optional<String> zone) {
         if (text.equals("exit")) {
             return Optional.of(new Goal(Optional.empty()));
         }
-        return text.startsWith("zone:") && text.length() > 5 ? Optional.of(new Goal(Optional.of(text.substring(5)))) : Optional.empty();
+        return text.startsWith("zone:") && text.length() > 5
+                ? Optional.of(new Goal(Optional.of(text.substring(5)))) : Optional.empty();
     }
 
     /** As {@link #parse} takes it. */
@@ -23,6 +24,7 @@ public record Goal(Optional<String> zone) {
 
     /** Whether an outcome means that the goal was reached. */
     public boolean reachedBy(Outcome outcome) {
-        return zone.isPresent() ? outcome.kind().equals("goal-reached") : outcome.kind().equals("exited") && outcome.successful();
+        return zone.isPresent() ? outcome.kind().equals("goal-reached")
+                : outcome.kind().equals("exited") && outcome.successful();
     }
 }

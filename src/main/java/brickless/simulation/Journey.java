@@ -9,7 +9,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 
-/** What happens to the robots in the arena: collisions, zones, falls. Writes it into the trace and remembers it for the report. */
+/**
+ * What happens to the robots in the arena: collisions, zones, falls. Writes it into the trace and remembers it for the
+ * report.
+ */
 final class Journey implements ArenaListener {
     private final Recorder recorder;
     private final LongSupplier clock;
@@ -25,24 +28,29 @@ final class Journey implements ArenaListener {
         this.goalZone = goalZone;
     }
 
-    @Override public void collision(Solid hitter, Solid hit, double speedMetresPerSecond) {
+    @Override
+    public void collision(Solid hitter, Solid hit, double speedMetresPerSecond) {
         collisions++;
         Solid robot = hitter instanceof RobotBody ? hitter : hit;
         Solid other = robot == hitter ? hit : hitter;
-        recorder.event(clock.getAsLong(), robot.name(), new TraceEvent.CollisionEvent(other.name(), speedMetresPerSecond));
+        recorder.event(clock.getAsLong(), robot.name(),
+                new TraceEvent.CollisionEvent(other.name(), speedMetresPerSecond));
     }
 
-    @Override public void zoneEntered(RobotBody robot, String zone) {
+    @Override
+    public void zoneEntered(RobotBody robot, String zone) {
         zones.add(zone);
         goalReached |= goalZone.isPresent() && goalZone.get().equals(zone);
         recorder.event(clock.getAsLong(), robot.name(), new TraceEvent.ZoneEvent(zone, true));
     }
 
-    @Override public void zoneLeft(RobotBody robot, String zone) {
+    @Override
+    public void zoneLeft(RobotBody robot, String zone) {
         recorder.event(clock.getAsLong(), robot.name(), new TraceEvent.ZoneEvent(zone, false));
     }
 
-    @Override public void fell(RobotBody robot) {
+    @Override
+    public void fell(RobotBody robot) {
         if (fallen.isEmpty()) {
             fallen = robot.name();
         }

@@ -14,14 +14,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Worlds and robots by file name, or by the name of one that comes with Brickless ({@code pen}, {@code educator} …). */
+/**
+ * Worlds and robots by file name, or by the name of one that comes with Brickless ({@code pen}, {@code educator} …).
+ */
 public final class Library {
     /** Names of the worlds that come with Brickless. */
-    public static final List<String> WORLDS = List.of("pen", "line-loop", "line-crossings", "maze", "corridor", "obstacle-course",
-            "colour-tiles", "table-top", "sumo-ring", "beacon-room", "can-field", "lamp-room");
+    public static final List<String> WORLDS = List.of("pen", "line-loop", "line-crossings", "maze", "corridor",
+            "obstacle-course", "colour-tiles", "table-top", "sumo-ring", "beacon-room", "can-field", "lamp-room");
     /** Names of the robots that come with Brickless. */
-    public static final List<String> ROBOTS = List.of("educator", "tribot-caster", "medium-turret", "gripper", "tracked", "sumo",
-            "three-wheel-holonomic");
+    public static final List<String> ROBOTS = List.of("educator", "tribot-caster", "medium-turret", "gripper",
+            "tracked", "sumo", "three-wheel-holonomic");
 
     private final Path directory;
 
@@ -39,7 +41,8 @@ public final class Library {
         if (WORLDS.contains(name)) {
             return SvgWorldReader.readText(name + ".svg", bundled("worlds", name));
         }
-        throw new DescriptionException(name, 0, "", "no such world: neither a file nor one of " + String.join(", ", WORLDS));
+        throw new DescriptionException(name, 0, "", "no such world: neither a file nor one of "
+                + String.join(", ", WORLDS));
     }
 
     /** Reads a robot from a file, or the bundled one of that name. */
@@ -51,12 +54,13 @@ public final class Library {
         if (ROBOTS.contains(name)) {
             return SvgRobotReader.readText(name + ".svg", bundled("robots", name));
         }
-        throw new DescriptionException(name, 0, "", "no such robot: neither a file nor one of " + String.join(", ", ROBOTS));
+        throw new DescriptionException(name, 0, "", "no such robot: neither a file nor one of "
+                + String.join(", ", ROBOTS));
     }
 
     /**
-     * Reads the robot that a world's drawing names in {@code data-model}, relative to the world's file; falls back to the bundled robot of
-     * the same file name.
+     * Reads the robot that a world's drawing names in {@code data-model}, relative to the world's file; falls back to
+     * the bundled robot of the same file name.
      */
     public RobotModel modelOf(String worldName, String model) throws DescriptionException {
         Optional<Path> folder = Optional.ofNullable(directory.resolve(worldName).getParent());

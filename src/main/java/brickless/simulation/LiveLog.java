@@ -15,36 +15,43 @@ final class LiveLog implements ProgramLog {
         this.err = err;
     }
 
-    @Override public void printed(byte[] bytes, int offset, int length, boolean error) {
+    @Override
+    public void printed(byte[] bytes, int offset, int length, boolean error) {
         PrintStream stream = error ? err : out;
         stream.write(bytes, offset, length);
         stream.flush();
         console.printed(bytes, offset, length, error);
     }
 
-    @Override public void uncaught(Thread thread, Throwable exception) {
+    @Override
+    public void uncaught(Thread thread, Throwable exception) {
         err.print("Exception in thread \"" + thread.getName() + "\" ");
         exception.printStackTrace(err);
         console.uncaught(thread, exception);
     }
 
-    @Override public int arbitratorCreated(String[] behaviours) {
+    @Override
+    public int arbitratorCreated(String[] behaviours) {
         return console.arbitratorCreated(behaviours);
     }
 
-    @Override public void behaviourWanted(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourWanted(int arbitrator, int behaviour) {
         console.behaviourWanted(arbitrator, behaviour);
     }
 
-    @Override public void behaviourActive(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourActive(int arbitrator, int behaviour) {
         console.behaviourActive(arbitrator, behaviour);
     }
 
-    @Override public void behaviourSuppressed(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourSuppressed(int arbitrator, int behaviour) {
         console.behaviourSuppressed(arbitrator, behaviour);
     }
 
-    @Override public void endProgram(int status) {
+    @Override
+    public void endProgram(int status) {
         console.endProgram(status);
     }
 }

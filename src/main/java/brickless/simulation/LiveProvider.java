@@ -8,10 +8,12 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Starts a live simulation for a program that was started as plain Java: {@code java -cp brickless.jar:classes MyProgram}, or in an IDE.
+ * Starts a live simulation for a program that was started as plain Java: {@code java -cp brickless.jar:classes
+ * MyProgram}, or in an IDE.
  *
- * <p>System properties, none of them needed: {@code brickless.world} and {@code brickless.robot} (SVG file or bundled name; by default the
- * pen, and a robot fitted to the program), {@code brickless.seed}, {@code brickless.out} (folder for the files of the run).
+ * <p>System properties, none of them needed: {@code brickless.world} and {@code brickless.robot} (SVG file or bundled
+ * name; by default the pen, and a robot fitted to the program), {@code brickless.seed}, {@code brickless.out} (folder
+ * for the files of the run).
  */
 public final class LiveProvider implements BrickProvider {
     private static final String AUTO = "auto";
@@ -24,7 +26,8 @@ public final class LiveProvider implements BrickProvider {
      *
      * @throws SetupException if a property names something that is not there
      */
-    @Override public BrickHardware startLive() {
+    @Override
+    public BrickHardware startLive() {
         Program program = RunningProgram.mainClass().map(Program::onClassPath).orElseGet(Program::unknown);
         try {
             return new LiveRun(settings(), program).start();
@@ -37,7 +40,8 @@ public final class LiveProvider implements BrickProvider {
         Library library = new Library(Path.of(""));
         String world = System.getProperty("brickless.world", "pen");
         String robot = System.getProperty("brickless.robot", AUTO);
-        SimulationSettings.Builder settings = SimulationSettings.builder(library.world(world)).worldFile(world).seed(seed())
+        SimulationSettings.Builder settings = SimulationSettings.builder(library.world(world))
+                .worldFile(world).seed(seed())
                 .out(Optional.ofNullable(System.getProperty("brickless.out")).map(Path::of));
         if (!robot.equals(AUTO)) {
             settings.robot(library.robot(robot));

@@ -14,8 +14,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A run paced to the wall clock, for a program whose threads are real ones. It begins when the program first touches its brick and ends with
- * the JVM; then the files of the run are written and one line tells how it went.
+ * A run paced to the wall clock, for a program whose threads are real ones. It begins when the program first touches
+ * its brick and ends with the JVM; then the files of the run are written and one line tells how it went.
  *
  * <p>The stage is guarded by the lock of the {@link LiveProcessor}.
  */
@@ -73,20 +73,26 @@ final class LiveRun implements RobotSession.ProgramExit {
     }
 
     /** On a thread of its own: the end of the JVM waits for the lock that the caller may hold. */
-    @Override public void exit(int status) {
+    @Override
+    public void exit(int status) {
         new Thread(() -> System.exit(status), "brickless exit").start();
     }
 
-    @Override public void endByKeys() {
+    @Override
+    public void endByKeys() {
         exit(1);
     }
 
     /** The program is over when the JVM is. */
-    @Override public boolean over() {
+    @Override
+    public boolean over() {
         return false;
     }
 
-    /** The JVM ends. The clock goes on, because the program's own shutdown hooks, which run at the same time, may wait for a motor. */
+    /**
+     * The JVM ends. The clock goes on, because the program's own shutdown hooks, which run at the same time, may wait
+     * for a motor.
+     */
     private void end() {
         processor.exclusively(() -> {
             err.println(summary(stage.finish(outcome(), 0, "live")));
@@ -101,8 +107,9 @@ final class LiveRun implements RobotSession.ProgramExit {
 
     private String summary(RunReport report) {
         return String.format(Locale.ROOT, "%s in %s: %s after %s simulated seconds, drove %.2f m, %d collisions%s%s",
-                program.mainClass().isEmpty() ? "program" : program.simpleName(), report.world(), report.outcome().kind(),
-                Decimals.text(report.simulatedSeconds(), 3), report.distanceMetres(), report.collisions(),
-                failure.map(reason -> ", " + reason).orElse(""), report.files().isEmpty() ? "" : ", files in " + report.files());
+                program.mainClass().isEmpty() ? "program" : program.simpleName(), report.world(),
+                report.outcome().kind(), Decimals.text(report.simulatedSeconds(), 3), report.distanceMetres(),
+                report.collisions(), failure.map(reason -> ", " + reason).orElse(""),
+                report.files().isEmpty() ? "" : ", files in " + report.files());
     }
 }

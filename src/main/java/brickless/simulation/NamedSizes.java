@@ -13,11 +13,12 @@ import java.util.regex.Pattern;
  */
 record NamedSizes(OptionalDouble diameterMillimetres, OptionalDouble trackMillimetres) {
     private static final Pattern DIAMETER = Pattern.compile("(?i).*diam.*|.*durchmesser.*");
-    private static final Pattern RADIUS = Pattern.compile("(?i).*(wheel|tyre|tire|rad)_?(rad|radius).*|.*radius_?(of_?)?(the_?)?wheel.*"
-            + "|(left|right|l|r)?_?radius");
+    private static final Pattern RADIUS = Pattern.compile("(?i).*(wheel|tyre|tire|rad)_?(rad|radius).*"
+            + "|.*radius_?(of_?)?(the_?)?wheel.*|(left|right|l|r)?_?radius");
     private static final Pattern CIRCUMFERENCE = Pattern.compile("(?i).*circumference.*|.*wheel_?circ.*|.*umfang.*");
-    private static final Pattern TRACK = Pattern.compile("(?i)(.*_)?track(_?(width|length|size|cm|mm|inch(es)?))*|.*[a-z]Track|.*axle.*"
-            + "|.*wheel_?base.*|.*wheels?_?(dist|span|gap|separation).*|.*between_?(the_?)?wheels.*|.*spurweite.*|.*achs.*");
+    private static final Pattern TRACK = Pattern.compile("(?i)(.*_)?track(_?(width|length|size|cm|mm|inch(es)?))*"
+            + "|.*[a-z]Track|.*axle.*|.*wheel_?base.*|.*wheels?_?(dist|span|gap|separation).*"
+            + "|.*between_?(the_?)?wheels.*|.*spurweite.*|.*achs.*");
     private static final Pattern HALF = Pattern.compile("(?i).*(half|halb).*");
     private static final Pattern MILLIMETRES = Pattern.compile(".*(MM|Mm|_mm)|(?i:.*millimet.*)");
     private static final Pattern CENTIMETRES = Pattern.compile(".*(CM|Cm|_cm)|(?i:.*centimet.*)");
@@ -36,8 +37,10 @@ record NamedSizes(OptionalDouble diameterMillimetres, OptionalDouble trackMillim
                 .or(() -> first(numbers, CIRCUMFERENCE, 1 / StrictMath.PI))
                 .map(size -> known(size) ? size : new Size(size.value, TyreSize.millimetresPerUnit(size.value)));
         Optional<Size> track = first(numbers, TRACK, 1)
-                .map(size -> known(size) ? size : new Size(size.value, diameter.map(Size::millimetresPerUnit).orElse(unitOfTrack(size.value))));
-        return new NamedSizes(diameter.map(Size::millimetres).orElse(OptionalDouble.empty()), track.map(Size::millimetres).orElse(OptionalDouble.empty()));
+                .map(size -> known(size) ? size
+                        : new Size(size.value, diameter.map(Size::millimetresPerUnit).orElse(unitOfTrack(size.value))));
+        return new NamedSizes(diameter.map(Size::millimetres).orElse(OptionalDouble.empty()),
+                track.map(Size::millimetres).orElse(OptionalDouble.empty()));
     }
 
     private static boolean known(Size size) {
@@ -47,11 +50,13 @@ record NamedSizes(OptionalDouble diameterMillimetres, OptionalDouble trackMillim
     /** The first number with such a name; the unit is not a number if the name does not tell it. */
     private static Optional<Size> first(Map<String, Double> numbers, Pattern name, double factor) {
         return numbers.entrySet().stream().filter(number -> name.matcher(number.getKey()).matches()).findFirst()
-                .map(number -> new Size(number.getValue() * factor * (HALF.matcher(number.getKey()).matches() ? 2 : 1), unitOf(number.getKey())));
+                .map(number -> new Size(number.getValue() * factor * (HALF.matcher(number.getKey()).matches() ? 2 : 1),
+                        unitOf(number.getKey())));
     }
 
     private static double unitOf(String name) {
-        return MILLIMETRES.matcher(name).matches() ? 1 : CENTIMETRES.matcher(name).matches() ? 10 : INCHES.matcher(name).matches() ? 25.4 : Double.NaN;
+        return MILLIMETRES.matcher(name).matches() ? 1 : CENTIMETRES.matcher(name).matches() ? 10
+                : INCHES.matcher(name).matches() ? 25.4 : Double.NaN;
     }
 
     /** Alone, a track is in the first unit in which it fits a robot: centimetres, millimetres, inches, metres. */

@@ -8,8 +8,8 @@ import java.util.Optional;
 /** Makes the outcome of a run out of how its programs ended. */
 final class OutcomeOf {
     /** What counts more comes first when several programs ended differently. */
-    private static final List<ProgramEnd.Kind> SEVERITY = List.of(ProgramEnd.Kind.RUNAWAY, ProgramEnd.Kind.DEADLOCK, ProgramEnd.Kind.FAILED,
-            ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT, ProgramEnd.Kind.EXITED);
+    private static final List<ProgramEnd.Kind> SEVERITY = List.of(ProgramEnd.Kind.RUNAWAY, ProgramEnd.Kind.DEADLOCK,
+            ProgramEnd.Kind.FAILED, ProgramEnd.Kind.GOAL_REACHED, ProgramEnd.Kind.TIME_LIMIT, ProgramEnd.Kind.EXITED);
 
     private OutcomeOf() {}
 
@@ -30,7 +30,10 @@ final class OutcomeOf {
         return SEVERITY.indexOf(kind(session, end));
     }
 
-    /** A program that ended or timed out after an exception nobody handled has failed, though the brick let its other threads go on. */
+    /**
+     * A program that ended or timed out after an exception nobody handled has failed, though the brick let its other
+     * threads go on.
+     */
     private static ProgramEnd.Kind kind(RobotSession session, ProgramEnd end) {
         boolean quiet = end.kind() == ProgramEnd.Kind.EXITED || end.kind() == ProgramEnd.Kind.TIME_LIMIT;
         return quiet && session.console().failure().isPresent() ? ProgramEnd.Kind.FAILED : end.kind();

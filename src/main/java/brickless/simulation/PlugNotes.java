@@ -15,7 +15,8 @@ import java.util.List;
 final class PlugNotes implements MotorFitting, SensorFitting {
     private final List<String> notes = new ArrayList<>();
 
-    @Override public void expected(MotorDevice device, String lejosClass) {
+    @Override
+    public void expected(MotorDevice device, String lejosClass) {
         char port = (char) ('A' + device.port());
         if (device.type() == null && !lejosClass.equals(RunTimeFitting.READY_MADE)) {
             note("no motor is plugged into " + port + ", so the program's " + lejosClass + " there never turns");
@@ -25,7 +26,8 @@ final class PlugNotes implements MotorFitting, SensorFitting {
         }
     }
 
-    @Override public void expected(SensorPortDevice device, String lejosClass) {
+    @Override
+    public void expected(SensorPortDevice device, String lejosClass) {
         boolean fits = RobotFitter.sensorOf(lejosClass).map(type -> type == device.type()).orElse(true);
         if (!fits) {
             String found = device.type() == null ? "nothing is" : device.connected() + " is";

@@ -71,7 +71,10 @@ public final class ProgramClasses {
         return files;
     }
 
-    /** Of a program on the application's class path (a test): the classes of the main class' package, or its own nested ones. */
+    /**
+     * Of a program on the application's class path (a test): the classes of the main class' package, or its own nested
+     * ones.
+     */
     private List<byte[]> besideMainClass() throws IOException {
         if (program.mainClass().isEmpty()) {
             return List.of();
@@ -90,8 +93,8 @@ public final class ProgramClasses {
         String prefix = file.getFileName().toString().replace(".class", "");
         List<byte[]> files = new ArrayList<>();
         try (Stream<Path> siblings = Files.list(file.getParent())) {
-            for (Path sibling : siblings.filter(f -> f.getFileName().toString().matches(java.util.regex.Pattern.quote(prefix) + "(\\$.*)?\\.class"))
-                    .sorted().toList()) {
+            for (Path sibling : siblings.filter(f -> f.getFileName().toString()
+                    .matches(java.util.regex.Pattern.quote(prefix) + "(\\$.*)?\\.class")).sorted().toList()) {
                 files.add(Files.readAllBytes(sibling));
             }
         }

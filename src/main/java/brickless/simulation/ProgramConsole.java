@@ -38,7 +38,8 @@ final class ProgramConsole implements ProgramLog {
         this.exit = exit;
     }
 
-    @Override public void printed(byte[] bytes, int offset, int length, boolean error) {
+    @Override
+    public void printed(byte[] bytes, int offset, int length, boolean error) {
         recorder.console(bytes, offset, length);
         try {
             echo.write(bytes, offset, length);
@@ -78,7 +79,8 @@ final class ProgramConsole implements ProgramLog {
         }
     }
 
-    @Override public void uncaught(Thread thread, Throwable exception) {
+    @Override
+    public void uncaught(Thread thread, Throwable exception) {
         event(new TraceEvent.ExceptionEvent(thread.getName(), exception.toString()));
         if (failure == null) {
             failure = ProgramFailure.describe(thread.getName(), exception, clock.getAsLong());
@@ -96,7 +98,8 @@ final class ProgramConsole implements ProgramLog {
                 .map(a -> a.names().get(a.active().current())).reduce((a, b) -> b);
     }
 
-    @Override public int arbitratorCreated(String[] behaviours) {
+    @Override
+    public int arbitratorCreated(String[] behaviours) {
         int number = arbitrators.size();
         event(new TraceEvent.ArbitratorEvent(number, List.of(behaviours)));
         arbitrators.add(new Arbitration(List.of(behaviours), changes("wants", number), changes("active", number)));
@@ -108,11 +111,13 @@ final class ProgramConsole implements ProgramLog {
                 new TraceEvent.BehaviourEvent(kind, arbitrator, behaviour)));
     }
 
-    @Override public void behaviourWanted(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourWanted(int arbitrator, int behaviour) {
         arbitrators.get(arbitrator).wanted().set(clock.getAsLong(), behaviour);
     }
 
-    @Override public void behaviourActive(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourActive(int arbitrator, int behaviour) {
         arbitrators.get(arbitrator).active().set(clock.getAsLong(), behaviour);
     }
 
@@ -124,12 +129,14 @@ final class ProgramConsole implements ProgramLog {
         }
     }
 
-    @Override public void behaviourSuppressed(int arbitrator, int behaviour) {
+    @Override
+    public void behaviourSuppressed(int arbitrator, int behaviour) {
         event(new TraceEvent.BehaviourEvent("suppressed", arbitrator, behaviour));
         arbitrators.get(arbitrator).active().awaitEnd();
     }
 
-    @Override public void endProgram(int status) {
+    @Override
+    public void endProgram(int status) {
         exit.accept(status);
     }
 

@@ -17,14 +17,15 @@ final class ProgramFailure {
     private ProgramFailure() {}
 
     static String describe(String thread, Throwable failure, long timeNanos) {
-        StringBuilder text = new StringBuilder("Exception in thread \"" + thread + "\" after " + Decimals.seconds(timeNanos)
-                + " simulated seconds: ");
+        StringBuilder text = new StringBuilder("Exception in thread \"" + thread + "\" after "
+                + Decimals.seconds(timeNanos) + " simulated seconds: ");
         Set<Throwable> seen = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Throwable each = failure; each != null && seen.add(each); each = each.getCause()) {
             text.append(each == failure ? "" : "\nCaused by: ").append(each).append(each instanceof HeadlessException ? NO_WINDOWS : "");
             for (StackTraceElement frame : ownFrames(each)) {
-                text.append("\n\tat ").append(frame.getClassName()).append('.').append(frame.getMethodName()).append('(')
-                        .append(frame.getFileName()).append(frame.getLineNumber() > 0 ? ":" + frame.getLineNumber() : "").append(')');
+                text.append("\n\tat ").append(frame.getClassName()).append('.').append(frame.getMethodName())
+                        .append('(').append(frame.getFileName())
+                        .append(frame.getLineNumber() > 0 ? ":" + frame.getLineNumber() : "").append(')');
             }
         }
         return text.toString();

@@ -4,7 +4,10 @@ import brickless.world.Pose2;
 import java.util.List;
 import java.util.Optional;
 
-/** What can be seen of a robot from outside while the run is held or over. Angles in degrees, clockwise on the page; lengths in metres. */
+/**
+ * What can be seen of a robot from outside while the run is held or over. Angles in degrees, clockwise on the page;
+ * lengths in metres.
+ */
 public final class RobotView {
     private final RobotSession session;
 

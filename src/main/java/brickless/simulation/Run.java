@@ -9,8 +9,8 @@ import java.util.function.Predicate;
 /**
  * A run in progress: advance it, look at the robots, press keys, and read the outcome.
  *
- * <p>Used by one thread. Between two calls the run stands still at a physics step. If the thread is interrupted while it waits for the run,
- * the run ends and the call throws {@link java.util.concurrent.CancellationException}.
+ * <p>Used by one thread. Between two calls the run stands still at a physics step. If the thread is interrupted while
+ * it waits for the run, the run ends and the call throws {@link java.util.concurrent.CancellationException}.
  */
 public final class Run implements AutoCloseable {
     private final RunEngine engine;
@@ -94,7 +94,8 @@ public final class Run implements AutoCloseable {
     public void press(String key) {
         Integer mask = StimuliReader.KEYS.get(key.toUpperCase(Locale.ROOT));
         if (mask == null) {
-            throw new IllegalArgumentException("no key " + key + "; keys are " + String.join(", ", StimuliReader.KEYS.keySet()));
+            throw new IllegalArgumentException("no key " + key + "; keys are "
+                    + String.join(", ", StimuliReader.KEYS.keySet()));
         }
         engine.add(new Stimulus.Press(engine.nowNanos(), mask, 200_000_000, "press " + key + " 200ms"));
     }
@@ -123,7 +124,8 @@ public final class Run implements AutoCloseable {
     }
 
     /** Ends the run now if it has not ended. */
-    @Override public void close() {
+    @Override
+    public void close() {
         engine.stop();
     }
 }

@@ -11,7 +11,10 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The folder with the files of a run. Files appear under their names only when the run is over; until then they end in {@code .part}. */
+/**
+ * The folder with the files of a run. Files appear under their names only when the run is over; until then they end in
+ * {@code .part}.
+ */
 final class RunFolder {
     private final Path folder;
     private final List<String> names = new ArrayList<>();
@@ -72,7 +75,8 @@ final class RunFolder {
         return folder.resolve(name + ".part");
     }
 
-    @Override public String toString() {
+    @Override
+    public String toString() {
         return folder.toString();
     }
 }

@@ -30,9 +30,10 @@ import java.util.Optional;
  * @param notes lines for the user about what was done for them: fitted robot, keys pressed
  * @param files folder with the files of the run, empty if none
  */
-public record RunReport(String program, String main, String world, String robot, long seed, Outcome outcome, Optional<Goal> goal,
-        double wallSeconds, double distanceMetres, int collisions, List<String> zones, Pose2 finalPose, String traceHash,
-        long contextSwitches, long physicsSteps, String backend, String jdk, List<String> notes, String files) {
+public record RunReport(String program, String main, String world, String robot, long seed, Outcome outcome,
+        Optional<Goal> goal, double wallSeconds, double distanceMetres, int collisions, List<String> zones,
+        Pose2 finalPose, String traceHash, long contextSwitches, long physicsSteps, String backend, String jdk,
+        List<String> notes, String files) {
     public RunReport {
         zones = List.copyOf(zones);
         notes = List.copyOf(notes);
@@ -70,7 +71,8 @@ public record RunReport(String program, String main, String world, String robot,
 
     private String json(boolean withHost) {
         return JsonText.object(line -> {
-            line.text("program", program).text("main", main).text("world", world).text("robot", robot).integer("seed", seed);
+            line.text("program", program).text("main", main).text("world", world).text("robot", robot)
+                    .integer("seed", seed);
             line.text("outcome", outcome.kind());
             if (outcome.exitStatus().isPresent()) {
                 line.integer("exitStatus", outcome.exitStatus().get());
@@ -88,7 +90,8 @@ public record RunReport(String program, String main, String world, String robot,
             line.number("distanceMetres", distanceMetres, 4).integer("collisions", collisions).texts("zones", zones);
             line.object("finalPose", () -> line.number("xMetres", finalPose.x(), 5).number("yMetres", finalPose.y(), 5)
                     .number("headingDegrees", headingDegrees(), 3));
-            line.text("traceHash", traceHash).integer("contextSwitches", contextSwitches).integer("physicsSteps", physicsSteps);
+            line.text("traceHash", traceHash).integer("contextSwitches", contextSwitches)
+                    .integer("physicsSteps", physicsSteps);
             if (withHost) {
                 line.text("backend", backend).text("jdk", jdk);
             }
@@ -111,15 +114,16 @@ public record RunReport(String program, String main, String world, String robot,
         text.append(String.format(Locale.ROOT, "%s in %s with %s, seed %d%n", main, world, robot, seed));
         notes.forEach(note -> text.append("  ").append(note).append(System.lineSeparator()));
         text.append(String.format(Locale.ROOT, "  outcome    %s%s%s after %s simulated seconds%n", outcome.kind(),
-                outcome.exitStatus().map(status -> " with status " + status).orElse(""), goalMissed() ? " (goal not reached)" : "",
-                Decimals.text(simulatedSeconds(), 3)));
-        text.append(String.format(Locale.ROOT, "  robot      drove %.2f m, %d collisions, ends at %.0f mm, %.0f mm, heading %.0f degrees%n",
+                outcome.exitStatus().map(status -> " with status " + status).orElse(""),
+                goalMissed() ? " (goal not reached)" : "", Decimals.text(simulatedSeconds(), 3)));
+        text.append(String.format(Locale.ROOT,
+                "  robot      drove %.2f m, %d collisions, ends at %.0f mm, %.0f mm, heading %.0f degrees%n",
                 distanceMetres, collisions, finalPose.x() * 1000, finalPose.y() * 1000, headingDegrees()));
         if (!zones.isEmpty()) {
             text.append("  zones      ").append(String.join(", ", zones)).append(System.lineSeparator());
         }
-        text.append(String.format(Locale.ROOT, "  speed      %.2f s of wall time, %.0f times real time (JDK %s, %s)%n", wallSeconds, realTimeFactor(),
-                jdk, backend));
+        text.append(String.format(Locale.ROOT, "  speed      %.2f s of wall time, %.0f times real time (JDK %s, %s)%n",
+                wallSeconds, realTimeFactor(), jdk, backend));
         text.append("  trace      ").append(traceHash);
         if (!files.isEmpty()) {
             text.append(System.lineSeparator()).append("  files      ").append(files);

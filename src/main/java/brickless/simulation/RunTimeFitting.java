@@ -30,7 +30,8 @@ final class RunTimeFitting implements MotorFitting, SensorFitting {
         used.forEach(motor -> plug(devices.motor(motor.port().charAt(0) - 'A'), motor.lejosClass()));
     }
 
-    @Override public void expected(MotorDevice device, String lejosClass) {
+    @Override
+    public void expected(MotorDevice device, String lejosClass) {
         if (!lejosClass.equals(READY_MADE)) {
             plug(device, lejosClass);
         }
@@ -43,14 +44,17 @@ final class RunTimeFitting implements MotorFitting, SensorFitting {
         }
     }
 
-    @Override public void expected(SensorPortDevice device, String lejosClass) {
+    @Override
+    public void expected(SensorPortDevice device, String lejosClass) {
         HardwareHints.Device used = new HardwareHints.Device("S" + (device.port() + 1), lejosClass, "");
         Optional<SensorType> known = RobotFitter.sensorOf(lejosClass);
-        if (known.isPresent() ? device.type() != known.get() : device.type() == null && RobotFitter.sensorOf(used).isPresent()) {
+        if (known.isPresent() ? device.type() != known.get()
+                : device.type() == null && RobotFitter.sensorOf(used).isPresent()) {
             device.plug(RobotFitter.mount(lejosClass, device.port()));
             plugged.add(device.connected() + " on " + used.port());
         } else if (device.type() == null) {
-            missing.add("nothing is plugged into " + used.port() + ": there is no simulated sensor for the program's " + lejosClass);
+            missing.add("nothing is plugged into " + used.port() + ": there is no simulated sensor for the program's "
+                    + lejosClass);
         }
     }
 

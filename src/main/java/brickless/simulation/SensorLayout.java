@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * The usual places of sensors on a fitted robot. A second one of a kind sits beside the first, unless the names of both tell where they
- * are: distance sensors then look to their side.
+ * The usual places of sensors on a fitted robot. A second one of a kind sits beside the first, unless the names of both
+ * tell where they are: distance sensors then look to their side.
  */
 final class SensorLayout {
     /** Distance from the axle to the front of the usual chassis in millimetres. */
@@ -48,7 +48,8 @@ final class SensorLayout {
     }
 
     private static boolean isDistance(SensorType type) {
-        return type == SensorType.EV3_ULTRASONIC || type == SensorType.NXT_ULTRASONIC || type == SensorType.EV3_INFRARED;
+        return type == SensorType.EV3_ULTRASONIC || type == SensorType.NXT_ULTRASONIC
+                || type == SensorType.EV3_INFRARED;
     }
 
     private void place(SensorType type, String port, Side side) {
@@ -59,10 +60,15 @@ final class SensorLayout {
         }
         double beside = beside(type, side);
         switch (type) {
-            case EV3_TOUCH, NXT_TOUCH -> add(type, port, side == Side.REAR ? new Spot(-113, 0, 180) : new Spot(front + 8, 32 * beside, 0), 10,
-                    beside == 0 || side == Side.REAR ? 2 * halfWidth + 26 : 54, 40, "#c62828");
-            case EV3_COLOR, NXT_COLOR, NXT_LIGHT -> add(type, port, new Spot(front - 23, 20 * beside, 0), 16, 16, 8, "#1565c0");
-            case EV3_ULTRASONIC, NXT_ULTRASONIC, EV3_INFRARED -> distance(type, port, new Spot(front - 11, 34 * beside, 0));
+            case EV3_TOUCH, NXT_TOUCH -> {
+                Spot spot = side == Side.REAR ? new Spot(-113, 0, 180) : new Spot(front + 8, 32 * beside, 0);
+                double width = beside == 0 || side == Side.REAR ? 2 * halfWidth + 26 : 54;
+                add(type, port, spot, 10, width, 40, "#c62828");
+            }
+            case EV3_COLOR, NXT_COLOR, NXT_LIGHT ->
+                    add(type, port, new Spot(front - 23, 20 * beside, 0), 16, 16, 8, "#1565c0");
+            case EV3_ULTRASONIC, NXT_ULTRASONIC, EV3_INFRARED ->
+                    distance(type, port, new Spot(front - 11, 34 * beside, 0));
             case EV3_GYRO -> add(type, port, new Spot(0, 24 * beside, 0), 18, 18, 60, "#6a1b9a");
             default -> add(type, port, new Spot(30, 30 * beside, 0), 16, 16, 70, "#8d6e63");
         }
@@ -85,11 +91,15 @@ final class SensorLayout {
     /** Middle of a sensor in millimetres and where it looks, clockwise from ahead. */
     private record Spot(double x, double y, double headingDegrees) {}
 
-    private void add(SensorType type, String port, Spot spot, double length, double width, double height, String colour) {
+    private void add(SensorType type, String port, Spot spot, double length, double width, double height,
+            String colour) {
         String transform = spot.headingDegrees == 0 ? ""
-                : String.format(Locale.ROOT, " transform=\"rotate(%.0f %.1f %.1f)\"", spot.headingDegrees, spot.x, spot.y);
-        elements.add(String.format(Locale.ROOT, "<rect data-part=\"sensor\" id=\"%s-%s\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" "
-                + "data-port=\"%s\" data-sensor=\"%s\" data-height-mm=\"%.0f\" fill=\"%s\"%s/>", type.attribute(), port.toLowerCase(Locale.ROOT),
-                spot.x - length / 2, spot.y - width / 2, length, width, port, type.attribute(), height, colour, transform));
+                : String.format(Locale.ROOT, " transform=\"rotate(%.0f %.1f %.1f)\"", spot.headingDegrees,
+                        spot.x, spot.y);
+        elements.add(String.format(Locale.ROOT,
+                "<rect data-part=\"sensor\" id=\"%s-%s\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" "
+                + "data-port=\"%s\" data-sensor=\"%s\" data-height-mm=\"%.0f\" fill=\"%s\"%s/>", type.attribute(),
+                port.toLowerCase(Locale.ROOT), spot.x - length / 2, spot.y - width / 2, length, width, port,
+                type.attribute(), height, colour, transform));
     }
 }

@@ -5,8 +5,9 @@ import brickless.device.sensor.SensorPortDevice;
 import brickless.trace.TraceEvent;
 
 /**
- * Which modes the sensors of a robot are in, as it is worth writing down: changes, when a sample is taken; a program that goes to and fro
- * between samples writes nothing. A sensor that goes dark keeps its mode here. Used by one thread at a time.
+ * Which modes the sensors of a robot are in, as it is worth writing down: changes, when a sample is taken; a program
+ * that goes to and fro between samples writes nothing. A sensor that goes dark keeps its mode here. Used by one thread
+ * at a time.
  */
 final class SensorModes {
     private static final int PORTS = 4;

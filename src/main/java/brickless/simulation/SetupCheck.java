@@ -40,8 +40,9 @@ final class SetupCheck {
     static void stimulus(Stimulus stimulus, Arena arena) {
         if (stimulus instanceof Stimulus.On on) {
             if (arena.robot(on.robot()).isEmpty()) {
-                throw new SetupException("stimulus '" + stimulus.text() + "': there is no robot named " + on.robot() + "; there are: "
-                        + arena.robots().stream().map(robot -> robot.name()).collect(Collectors.joining(", ")));
+                throw new SetupException("stimulus '" + stimulus.text() + "': there is no robot named " + on.robot()
+                        + "; there are: " + arena.robots().stream().map(robot -> robot.name())
+                        .collect(Collectors.joining(", ")));
             }
             stimulus(on.what(), arena);
             return;
@@ -59,8 +60,7 @@ final class SetupCheck {
             Stream<String> robots = stimulus instanceof Stimulus.Move ? arena.robots().stream().map(r -> r.name())
                     : Stream.of();
             throw new SetupException("stimulus '" + stimulus.text() + "': there is nothing movable named " + target
-                    + "; there are: "
-                    + Stream.concat(robots, movables).collect(Collectors.joining(", ")));
+                    + "; there are: " + Stream.concat(robots, movables).collect(Collectors.joining(", ")));
         }
     }
 

@@ -18,7 +18,8 @@ enum Side {
 
     /** The side that one of the names, separated by spaces, tells. */
     static Side of(String names) {
-        return Arrays.stream(names.split(" ")).flatMap(name -> Arrays.stream(values()).filter(side -> side.names.matcher(name).matches()))
+        return Arrays.stream(names.split(" "))
+                .flatMap(name -> Arrays.stream(values()).filter(side -> side.names.matcher(name).matches()))
                 .filter(side -> side != UNKNOWN).findFirst().orElse(UNKNOWN);
     }
 }

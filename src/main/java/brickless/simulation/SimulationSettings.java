@@ -28,9 +28,9 @@ import java.util.OptionalLong;
  * @param console where the program's output is passed on as it is printed
  * @param out folder for the files of the run; empty: none are written
  */
-public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed, OptionalLong scheduleSeed,
-        Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons, boolean attended, List<Stimulus> stimuli,
-        BackendChoice backend, OutputStream console, Optional<Path> out) {
+public record SimulationSettings(World world, String worldFile, Optional<RobotModel> robot, long seed,
+        OptionalLong scheduleSeed, Duration limit, Optional<Goal> goal, boolean ideal, boolean pressButtons,
+        boolean attended, List<Stimulus> stimuli, BackendChoice backend, OutputStream console, Optional<Path> out) {
     public SimulationSettings {
         stimuli = List.copyOf(stimuli);
     }
@@ -42,8 +42,10 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
 
     /** A builder that starts from these settings. */
     public Builder toBuilder() {
-        Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit).goal(goal).ideal(ideal)
-                .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend).console(console).out(out);
+        Builder builder = new Builder(world).worldFile(worldFile).seed(seed).scheduleSeed(scheduleSeed).limit(limit)
+                .goal(goal).ideal(ideal)
+                .pressButtons(pressButtons).attended(attended).stimuli(stimuli).backend(backend)
+                .console(console).out(out);
         robot.ifPresent(builder::robot);
         return builder;
     }
@@ -149,8 +151,8 @@ public record SimulationSettings(World world, String worldFile, Optional<RobotMo
 
         /** The settings. */
         public SimulationSettings build() {
-            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons, attended, stimuli,
-                    backend, console, out);
+            return new SimulationSettings(world, worldFile, robot, seed, scheduleSeed, limit, goal, ideal, pressButtons,
+                    attended, stimuli, backend, console, out);
         }
     }
 }

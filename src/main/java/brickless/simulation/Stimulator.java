@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.PriorityQueue;
 
 /**
- * Does to the robots and the world what the stimuli say, at physics steps, in order of time; at one time, what ends comes before what begins,
- * however late it was added. Used by the running step only.
+ * Does to the robots and the world what the stimuli say, at physics steps, in order of time; at one time, what ends
+ * comes before what begins, however late it was added. Used by the running step only.
  */
 final class Stimulator {
     /** How long a clap is heard. */
@@ -83,7 +83,8 @@ final class Stimulator {
         } else if (stimulus instanceof Stimulus.Push push) {
             holdFor(new Stimulus.TouchSensor(push.port()), push.atNanos() + push.forNanos(), robot, seeing);
         } else if (stimulus instanceof Stimulus.Remote remote) {
-            holdFor(new Stimulus.RemoteButton(remote.channel(), remote.code()), remote.atNanos() + remote.forNanos(), robot, seeing);
+            holdFor(new Stimulus.RemoteButton(remote.channel(), remote.code()), remote.atNanos() + remote.forNanos(),
+                    robot, seeing);
         } else if (stimulus instanceof Stimulus.Hold hold) {
             hold(hold.what(), true, robot, seeing);
         } else if (stimulus instanceof Stimulus.Release release) {

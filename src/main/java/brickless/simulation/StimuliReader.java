@@ -25,9 +25,10 @@ public final class StimuliReader {
     private static final Pattern VOLTS = Pattern.compile("(\\d{1,4}(?:\\.\\d{1,6})?)V");
     private static final String NUMBER = "-?\\d{1,6}(?:\\.\\d{1,6})?";
     private static final Pattern PLACE = Pattern.compile("(" + NUMBER + "),(" + NUMBER + ")");
-    private static final String ALLOWED = "allowed: press KEY DURATION, push S1..S4 DURATION, remote CHANNEL BUTTON DURATION, clap LEVELdB, "
-            + "move NAME X,Y DEGREES, remove NAME, battery VOLTSV, hold or release key KEY, push S1..S4 or remote CHANNEL BUTTON; "
-            + "'on ROBOT' behind it names another robot than the first";
+    private static final String ALLOWED =
+            "allowed: press KEY DURATION, push S1..S4 DURATION, remote CHANNEL BUTTON DURATION, clap LEVELdB, "
+            + "move NAME X,Y DEGREES, remove NAME, battery VOLTSV, hold or release key KEY, push S1..S4 or remote "
+            + "CHANNEL BUTTON; 'on ROBOT' behind it names another robot than the first";
 
     static {
         String[] keys = {"UP", "ENTER", "DOWN", "RIGHT", "LEFT", "ESCAPE"};
@@ -100,7 +101,8 @@ public final class StimuliReader {
                 return new Stimulus.Push(at, sensorPort(words[2]), nanos(words[3]), text);
             case "remote":
                 expect(words, 5);
-                return new Stimulus.Remote(at, channel(words[2]), oneOf(REMOTE, words[3], "button"), nanos(words[4]), text);
+                return new Stimulus.Remote(at, channel(words[2]), oneOf(REMOTE, words[3], "button"),
+                        nanos(words[4]), text);
             case "hold":
                 return new Stimulus.Hold(at, holdable(words), text);
             case "release":
@@ -141,12 +143,14 @@ public final class StimuliReader {
 
     private void expect(String[] words, int count) throws DescriptionException {
         if (words.length != count) {
-            throw error("'" + words[1] + "' takes " + (count - 2) + " words, found " + (words.length - 2) + "; " + ALLOWED);
+            throw error("'" + words[1] + "' takes " + (count - 2) + " words, found " + (words.length - 2)
+                    + "; " + ALLOWED);
         }
     }
 
     private long nanos(String word) throws DescriptionException {
-        return Durations.parse(word).map(Duration::toNanos).orElseThrow(() -> error("'" + word + "' is no duration; allowed: 500ms, 2.5s, 1m"));
+        return Durations.parse(word).map(Duration::toNanos)
+                .orElseThrow(() -> error("'" + word + "' is no duration; allowed: 500ms, 2.5s, 1m"));
     }
 
     private int oneOf(Map<String, Integer> names, String word, String what) throws DescriptionException {

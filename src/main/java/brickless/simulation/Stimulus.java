@@ -2,7 +2,9 @@ package brickless.simulation;
 
 import brickless.world.Pose2;
 
-/** Something a person or the world does to a robot at a given time. Times are nanoseconds since the start of the run. */
+/**
+ * Something a person or the world does to a robot at a given time. Times are nanoseconds since the start of the run.
+ */
 public sealed interface Stimulus {
     /** When it happens. */
     long atNanos();
@@ -39,11 +41,13 @@ public sealed interface Stimulus {
 
     /** A stimulus that concerns the robot with this name instead of the first one (or, for a remote, all). */
     record On(String robot, Stimulus what) implements Stimulus {
-        @Override public long atNanos() {
+        @Override
+        public long atNanos() {
             return what.atNanos();
         }
 
-        @Override public String text() {
+        @Override
+        public String text() {
             return what.text() + " on " + robot;
         }
     }

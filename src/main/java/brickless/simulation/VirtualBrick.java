@@ -14,35 +14,43 @@ import brickless.hardware.SpeakerSocket;
 
 /** The sockets of one robot's brick, put together. */
 record VirtualBrick(String name, RobotDevices devices, Panel panel, ProgramLog log) implements BrickHardware {
-    @Override public MotorSocket motor(int index) {
+    @Override
+    public MotorSocket motor(int index) {
         return devices.motor(index);
     }
 
-    @Override public SensorSocket sensor(int index) {
+    @Override
+    public SensorSocket sensor(int index) {
         return devices.sensor(index);
     }
 
-    @Override public void moveTogether(int[] ports, MoveRequest[] requests) {
+    @Override
+    public void moveTogether(int[] ports, MoveRequest[] requests) {
         devices.moveTogether(ports, requests);
     }
 
-    @Override public ScreenSocket screen() {
+    @Override
+    public ScreenSocket screen() {
         return panel.screen();
     }
 
-    @Override public KeySocket keys() {
+    @Override
+    public KeySocket keys() {
         return panel.keys();
     }
 
-    @Override public LedSocket leds() {
+    @Override
+    public LedSocket leds() {
         return panel.leds();
     }
 
-    @Override public SpeakerSocket speaker() {
+    @Override
+    public SpeakerSocket speaker() {
         return panel.speaker();
     }
 
-    @Override public PowerSocket power() {
+    @Override
+    public PowerSocket power() {
         return devices.battery();
     }
 }

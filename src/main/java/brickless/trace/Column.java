@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * One signal of a report: a number per sample, rounded to a fixed number of decimals, as text that compresses well.
  *
- * <p>The text is {@code {"places":p,"from":i,"deltas":[…]}}: the first {@code i} samples have no value; each entry is the difference, in units of
- * the last place, from the last value before it (0 at first), or {@code null} for no value.
+ * <p>The text is {@code {"places":p,"from":i,"deltas":[…]}}: the first {@code i} samples have no value; each entry is
+ * the difference, in units of the last place, from the last value before it (0 at first), or {@code null} for no value.
  */
 final class Column {
     private static final long NOTHING = Long.MIN_VALUE;
@@ -37,7 +37,8 @@ final class Column {
     }
 
     String json() {
-        StringBuilder text = new StringBuilder("{\"places\":").append(places).append(",\"from\":").append(Math.max(0, from)).append(",\"deltas\":[");
+        StringBuilder text = new StringBuilder("{\"places\":").append(places).append(",\"from\":")
+                .append(Math.max(0, from)).append(",\"deltas\":[");
         long last = 0;
         for (int i = 0; i < size; i++) {
             text.append(i > 0 ? "," : "");

@@ -8,7 +8,8 @@ import java.nio.charset.StandardCharsets;
  * <p>{@code Double.toString} gives different digits on different JDKs; this does not.
  */
 public final class Decimals {
-    private static final long[] POWERS = {1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000};
+    private static final long[] POWERS = {1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000,
+            1_000_000_000};
 
     /** A sign, all digits of a {@code long}, and a point. */
     static final int MOST_BYTES = 21;
@@ -16,8 +17,8 @@ public final class Decimals {
     private Decimals() {}
 
     /**
-     * Text of {@code value} rounded to {@code places} (0 to 9) decimals, without trailing zeros and without a negative zero.
-     * Infinities and NaN give {@code null}, as JSON has no such numbers.
+     * Text of {@code value} rounded to {@code places} (0 to 9) decimals, without trailing zeros and without a negative
+     * zero. Infinities and NaN give {@code null}, as JSON has no such numbers.
      */
     public static String text(double value, int places) {
         if (Double.isNaN(value) || Double.isInfinite(value)) {

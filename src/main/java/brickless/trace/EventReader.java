@@ -13,11 +13,13 @@ final class EventReader {
         return switch (type) {
             case "key" -> new TraceEvent.KeyEvent(line.text("key"), line.flag("down"), line.text("cause"));
             case "led" -> new TraceEvent.LedEvent(small(line, "pattern"));
-            case "sound" -> new TraceEvent.SoundEvent(line.text("name"), small(line, "hertz"), small(line, "millis"), small(line, "volume"));
+            case "sound" -> new TraceEvent.SoundEvent(line.text("name"), small(line, "hertz"), small(line, "millis"),
+                    small(line, "volume"));
             case "screen" -> screen(line);
             case "print" -> new TraceEvent.PrintEvent(line.text("text"), line.flag("error"));
             case "arbitrator" -> new TraceEvent.ArbitratorEvent(small(line, "arbitrator"), line.texts("behaviours"));
-            case "wants", "active", "suppressed" -> new TraceEvent.BehaviourEvent(type, small(line, "arbitrator"), small(line, "behaviour"));
+            case "wants", "active", "suppressed" -> new TraceEvent.BehaviourEvent(type, small(line, "arbitrator"),
+                    small(line, "behaviour"));
             case "mode" -> new TraceEvent.ModeEvent(small(line, "port"), line.text("kind"), line.text("mode"));
             case "collision" -> new TraceEvent.CollisionEvent(line.text("with"), line.number("speed"));
             case "fell" -> new TraceEvent.FallEvent();

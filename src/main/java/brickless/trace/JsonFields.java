@@ -42,7 +42,8 @@ public final class JsonFields {
             }
             return fields;
         } catch (JsonProcessingException e) {
-            throw new IllegalArgumentException("is no JSON object, or is cut off: " + e.getOriginalMessage().lines().findFirst().orElse(""), e);
+            throw new IllegalArgumentException("is no JSON object, or is cut off: " + e.getOriginalMessage().lines()
+                    .findFirst().orElse(""), e);
         } catch (IOException e) {
             throw new IllegalStateException("text cannot fail to be read", e);
         }

@@ -71,17 +71,6 @@ public final class JsonLine {
         });
     }
 
-    /** Writes an array of numbers with a fixed number of decimals. */
-    public JsonLine numbers(String name, double[] values, int places) {
-        return write(() -> {
-            json.writeArrayFieldStart(name);
-            for (double value : values) {
-                json.writeRawValue(Decimals.text(value, places));
-            }
-            json.writeEndArray();
-        });
-    }
-
     /** Writes an array of objects, one per item. */
     public <T> JsonLine objects(String name, Iterable<T> items, java.util.function.BiConsumer<T, JsonLine> fields) {
         return write(() -> {

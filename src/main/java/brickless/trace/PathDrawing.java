@@ -10,7 +10,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Draws what happened into the world's own drawing ({@code path.svg}): driven paths, movable obstacles and robots where they ended.
+ * Draws what happened into the world's own drawing ({@code path.svg}): driven paths, movable obstacles and robots where
+ * they ended.
  *
  * <p>Feed it every sample; it keeps a point whenever a robot has moved more than 2 mm.
  */
@@ -48,7 +49,8 @@ public final class PathDrawing {
      * @param models what each robot is built of, by its name
      */
     public String svg(World world, Map<String, RobotModel> models) {
-        StringBuilder extra = new StringBuilder("<g id=\"brickless-run\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+        StringBuilder extra = new StringBuilder(
+                "<g id=\"brickless-run\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
         world.obstacles().stream().filter(obstacle -> moved.containsKey(obstacle.id())).forEach(obstacle -> {
             appendOutlines(extra, obstacle.outlines(), moved.get(obstacle.id()),
                     "stroke=\"#5d4037\" stroke-width=\"3\" fill=\"#a1887f\" fill-opacity=\"0.75\"");
@@ -56,14 +58,19 @@ public final class PathDrawing {
         int index = 0;
         for (Map.Entry<String, List<Point2>> path : paths.entrySet()) {
             String colour = COLOURS[index++ % COLOURS.length];
-            extra.append("<polyline stroke=\"").append(colour).append("\" stroke-width=\"4\" stroke-opacity=\"0.8\" points=\"");
-            path.getValue().forEach(point -> extra.append(millimetres(point.x())).append(',').append(millimetres(point.y())).append(' '));
+            extra.append("<polyline stroke=\"").append(colour)
+                    .append("\" stroke-width=\"4\" stroke-opacity=\"0.8\" points=\"");
+            path.getValue().forEach(point -> extra.append(millimetres(point.x())).append(',')
+                    .append(millimetres(point.y())).append(' '));
             extra.append("\"/>\n");
             Point2 start = path.getValue().get(0);
-            extra.append("<circle cx=\"").append(millimetres(start.x())).append("\" cy=\"").append(millimetres(start.y()))
-                    .append("\" r=\"10\" stroke=\"").append(colour).append("\" stroke-width=\"4\" fill=\"#ffffff\"/>\n");
+            extra.append("<circle cx=\"").append(millimetres(start.x())).append("\" cy=\"")
+                    .append(millimetres(start.y()))
+                    .append("\" r=\"10\" stroke=\"").append(colour)
+                    .append("\" stroke-width=\"4\" fill=\"#ffffff\"/>\n");
             RobotSample end = last.get(path.getKey());
-            List<List<Point2>> body = models.containsKey(path.getKey()) ? RobotOutline.of(models.get(path.getKey()), end.motors()) : List.of();
+            List<List<Point2>> body = models.containsKey(path.getKey())
+                    ? RobotOutline.of(models.get(path.getKey()), end.motors()) : List.of();
             appendOutlines(extra, body, end.pose(),
                     "stroke=\"" + colour + "\" stroke-width=\"4\" fill=\"" + colour + "\" fill-opacity=\"0.25\"");
             appendNose(extra, end.pose(), colour);
@@ -93,9 +100,12 @@ public final class PathDrawing {
 
     private static void appendNose(StringBuilder out, Pose2 pose, String colour) {
         double length = 0.08;
-        out.append("<line stroke=\"").append(colour).append("\" stroke-width=\"6\" x1=\"").append(millimetres(pose.x())).append("\" y1=\"")
-                .append(millimetres(pose.y())).append("\" x2=\"").append(millimetres(pose.x() + length * StrictMath.cos(pose.headingRadians())))
-                .append("\" y2=\"").append(millimetres(pose.y() + length * StrictMath.sin(pose.headingRadians()))).append("\"/>\n");
+        out.append("<line stroke=\"").append(colour).append("\" stroke-width=\"6\" x1=\"").append(millimetres(pose.x()))
+                .append("\" y1=\"")
+                .append(millimetres(pose.y())).append("\" x2=\"")
+                .append(millimetres(pose.x() + length * StrictMath.cos(pose.headingRadians())))
+                .append("\" y2=\"").append(millimetres(pose.y() + length * StrictMath.sin(pose.headingRadians())))
+                .append("\"/>\n");
     }
 
     private static String millimetres(double metres) {

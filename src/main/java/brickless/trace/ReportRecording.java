@@ -18,17 +18,20 @@ public final class ReportRecording implements TraceListener {
     private TraceHeader header;
     private int samples;
 
-    @Override public void header(TraceHeader value) {
+    @Override
+    public void header(TraceHeader value) {
         header = value;
     }
 
-    @Override public void sample(Sample sample) {
+    @Override
+    public void sample(Sample sample) {
         times.put(samples, sample.timeNanos() / 1_000 / 1e6);
         for (RobotSample robot : sample.robots()) {
             robots.computeIfAbsent(robot.name(), RobotColumns::new).add(samples, robot);
         }
         for (BodySample body : sample.bodies()) {
-            BodyColumns columns = bodies.computeIfAbsent(body.id(), id -> new BodyColumns(new Column(5), new Column(5), new Column(3)));
+            BodyColumns columns = bodies.computeIfAbsent(body.id(),
+                    id -> new BodyColumns(new Column(5), new Column(5), new Column(3)));
             columns.x().put(samples, body.displacement().x());
             columns.y().put(samples, body.displacement().y());
             columns.heading().put(samples, StrictMath.toDegrees(body.displacement().headingRadians()));
@@ -36,7 +39,8 @@ public final class ReportRecording implements TraceListener {
         samples++;
     }
 
-    @Override public void event(long timeNanos, String robot, TraceEvent event) {
+    @Override
+    public void event(long timeNanos, String robot, TraceEvent event) {
         events.add(new Happening(timeNanos, robot, event));
     }
 
@@ -50,10 +54,12 @@ public final class ReportRecording implements TraceListener {
         line.object("header", () -> header.write(line));
         line.raw("times", times.json());
         line.objects("robots", robots.values(), (robot, fields) -> robot.write(fields));
-        line.objects("bodies", bodies.entrySet(), (body, fields) -> fields.text("id", body.getKey()).raw("x", body.getValue().x().json())
+        line.objects("bodies", bodies.entrySet(), (body, fields) -> fields.text("id", body.getKey())
+                .raw("x", body.getValue().x().json())
                 .raw("y", body.getValue().y().json()).raw("heading", body.getValue().heading().json()));
         line.objects("events", events, (happening, fields) -> {
-            fields.seconds("t", happening.timeNanos()).text("type", happening.event().type()).text("robot", happening.robot());
+            fields.seconds("t", happening.timeNanos()).text("type", happening.event().type())
+                    .text("robot", happening.robot());
             happening.event().write(fields);
         });
     }

@@ -25,10 +25,11 @@ public record ReportScene(World world, Map<String, RobotModel> robots) {
     /** Writes the fields of the scene. */
     public void write(JsonLine line) {
         line.text("svg", world.svg());
-        line.raw("bounds", "[" + millimetres(world.minX()) + "," + millimetres(world.minY()) + "," + millimetres(world.width()) + ","
-                + millimetres(world.height()) + "]");
+        line.raw("bounds", "[" + millimetres(world.minX()) + "," + millimetres(world.minY()) + ","
+                + millimetres(world.width()) + "," + millimetres(world.height()) + "]");
         List<Obstacle> movable = world.obstacles().stream().filter(Obstacle::movable).toList();
-        line.objects("bodies", movable, (body, fields) -> fields.text("id", body.id()).raw("outlines", outlines(body.outlines())));
+        line.objects("bodies", movable, (body, fields) -> fields.text("id", body.id())
+                .raw("outlines", outlines(body.outlines())));
         line.objects("robots", robots.entrySet(), (robot, fields) -> robot(robot.getKey(), robot.getValue(), fields));
     }
 
@@ -42,10 +43,11 @@ public record ReportScene(World world, Map<String, RobotModel> robots) {
 
     private static void claw(Claw claw, JsonLine line) {
         int sign = claw.inverted() ? -1 : 1;
-        line.text("id", claw.id()).text("port", String.valueOf((char) ('A' + claw.port()))).raw("pivot", point(claw.pivot()))
+        line.text("id", claw.id()).text("port", String.valueOf((char) ('A' + claw.port())))
+                .raw("pivot", point(claw.pivot()))
                 .number("open", sign * claw.minDegrees(), 2).number("closed", sign * claw.maxDegrees(), 2);
-        line.objects("jaws", Jaw.of(claw), (jaw, fields) -> fields.number("side", jaw.side(), 0).raw("hinge", point(jaw.hinge()))
-                .number("degrees", Angles.degreesFromRadians(jaw.closedRadians()), 2));
+        line.objects("jaws", Jaw.of(claw), (jaw, fields) -> fields.number("side", jaw.side(), 0)
+                .raw("hinge", point(jaw.hinge())).number("degrees", Angles.degreesFromRadians(jaw.closedRadians()), 2));
     }
 
     private static String outlines(List<List<Point2>> outlines) {

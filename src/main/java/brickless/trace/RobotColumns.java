@@ -27,7 +27,8 @@ final class RobotColumns {
         heading.put(index, StrictMath.toDegrees(sample.pose().headingRadians()));
         volts.put(index, sample.batteryVolts());
         for (RobotSample.MotorSample motor : sample.motors()) {
-            Motor columns = motors.computeIfAbsent(motor.port(), port -> new Motor(new Column(2), new Column(1), new Column(1), new Column(3)));
+            Motor columns = motors.computeIfAbsent(motor.port(),
+                    port -> new Motor(new Column(2), new Column(1), new Column(1), new Column(3)));
             columns.tacho().put(index, motor.tachoDegrees());
             columns.speed().put(index, motor.degreesPerSecond());
             columns.duty().put(index, motor.dutyPercent());
@@ -45,12 +46,13 @@ final class RobotColumns {
     }
 
     void write(JsonLine line) {
-        line.text("name", name).raw("x", x.json()).raw("y", y.json()).raw("heading", heading.json()).raw("volts", volts.json());
+        line.text("name", name).raw("x", x.json()).raw("y", y.json()).raw("heading", heading.json())
+                .raw("volts", volts.json());
         line.objects("motors", motors.entrySet(), (motor, fields) -> fields.text("port", motor.getKey().toString())
                 .raw("tacho", motor.getValue().tacho().json()).raw("speed", motor.getValue().speed().json())
                 .raw("duty", motor.getValue().duty().json()).raw("amperes", motor.getValue().amperes().json()));
-        line.objects("sensors", sensors.entrySet(), (sensor, fields) -> fields.integer("port", sensor.getKey().charAt(0) - '0')
-                .text("kind", sensor.getKey().substring(1))
+        line.objects("sensors", sensors.entrySet(), (sensor, fields) ->
+                fields.integer("port", sensor.getKey().charAt(0) - '0').text("kind", sensor.getKey().substring(1))
                 .raw("values", "[" + String.join(",", sensor.getValue().stream().map(Column::json).toList()) + "]"));
     }
 }

@@ -12,7 +12,8 @@ import java.util.List;
  * @param sensors plugged sensors, by port
  * @param batteryVolts voltage at the battery's terminals
  */
-public record RobotSample(String name, Pose2 pose, List<MotorSample> motors, List<SensorSample> sensors, double batteryVolts) {
+public record RobotSample(String name, Pose2 pose, List<MotorSample> motors, List<SensorSample> sensors,
+        double batteryVolts) {
     public RobotSample {
         motors = List.copyOf(motors);
         sensors = List.copyOf(sensors);
@@ -27,7 +28,8 @@ public record RobotSample(String name, Pose2 pose, List<MotorSample> motors, Lis
      * @param dutyPercent applied duty, −100 to 100
      * @param amperes current drawn
      */
-    public record MotorSample(char port, double tachoDegrees, double degreesPerSecond, double dutyPercent, double amperes) {}
+    public record MotorSample(char port, double tachoDegrees, double degreesPerSecond, double dutyPercent,
+            double amperes) {}
 
     /**
      * A sensor.

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The trace's line of one sample. Samples are most of a trace, so their text is put together by hand, in one buffer that is used again and
- * again; {@code SampleLineTest} holds it against an ordinary JSON writer.
+ * The trace's line of one sample. Samples are most of a trace, so their text is put together by hand, in one buffer
+ * that is used again and again; {@code SampleLineTest} holds it against an ordinary JSON writer.
  */
 final class SampleLine {
     private final Map<String, byte[]> texts = new HashMap<>();
@@ -55,9 +55,10 @@ final class SampleLine {
     }
 
     private void motor(RobotSample.MotorSample motor) {
-        raw("\"port\":").text(String.valueOf(motor.port())).raw(",\"tacho\":").number(motor.tachoDegrees(), 2).raw(",\"speed\":")
-                .number(motor.degreesPerSecond(), 1).raw(",\"duty\":").number(motor.dutyPercent(), 1).raw(",\"amperes\":").number(motor.amperes(), 3)
-                .raw("}");
+        raw("\"port\":").text(String.valueOf(motor.port())).raw(",\"tacho\":").number(motor.tachoDegrees(), 2)
+                .raw(",\"speed\":")
+                .number(motor.degreesPerSecond(), 1).raw(",\"duty\":").number(motor.dutyPercent(), 1)
+                .raw(",\"amperes\":").number(motor.amperes(), 3).raw("}");
     }
 
     private void sensor(RobotSample.SensorSample sensor) {
@@ -88,7 +89,8 @@ final class SampleLine {
     private SampleLine text(String value) {
         byte[] quoted = texts.get(value);
         if (quoted == null) {
-            quoted = ('"' + new String(JsonStringEncoder.getInstance().quoteAsString(value)) + '"').getBytes(StandardCharsets.UTF_8);
+            quoted = ('"' + new String(JsonStringEncoder.getInstance().quoteAsString(value)) + '"')
+                    .getBytes(StandardCharsets.UTF_8);
             texts.put(value, quoted);
         }
         reserve(quoted.length);

@@ -39,7 +39,8 @@ final class SignalRow {
     }
 
     private void put(String name, double value, int places) {
-        values.put(name, Double.isFinite(value) ? Decimals.text(value, places) : Double.isNaN(value) ? "" : value > 0 ? "inf" : "-inf");
+        values.put(name, Double.isFinite(value) ? Decimals.text(value, places) : Double.isNaN(value) ? ""
+                : value > 0 ? "inf" : "-inf");
     }
 
     List<String> names() {

@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Writes {@code signals.csv}: one row per sample, one column per signal of each robot; loads in spreadsheets and pandas.
+ * Writes {@code signals.csv}: one row per sample, one column per signal of each robot; loads in spreadsheets and
+ * pandas.
  *
- * <p>Which signals there are is known only at the end: a sensor may be plugged in, or give more values in another mode, while the program
- * runs. So rows are kept and written on {@link #close}. Signals that came later have their columns behind the others, empty before.
+ * <p>Which signals there are is known only at the end: a sensor may be plugged in, or give more values in another mode,
+ * while the program runs. So rows are kept and written on {@link #close}. Signals that came later have their columns
+ * behind the others, empty before.
  */
 public final class SignalsWriter implements AutoCloseable {
     private final Writer out;
@@ -32,7 +34,8 @@ public final class SignalsWriter implements AutoCloseable {
         widths.add(columns.size());
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         try (out) {
             out.write(String.join(",", columns) + "\n");
             for (int i = 0; i < rows.size(); i++) {

@@ -14,8 +14,8 @@ import java.util.List;
  * @param stepNanos physics step
  * @param sampleNanos time between samples
  */
-public record TraceHeader(String main, String world, List<String> robots, long seed, long scheduleSeed, boolean ideal, long stepNanos,
-        long sampleNanos) {
+public record TraceHeader(String main, String world, List<String> robots, long seed, long scheduleSeed, boolean ideal,
+        long stepNanos, long sampleNanos) {
     /** Version of the trace format. */
     public static final int VERSION = 1;
 
@@ -25,7 +25,9 @@ public record TraceHeader(String main, String world, List<String> robots, long s
 
     /** Writes the fields of the header. */
     public void write(JsonLine line) {
-        line.integer("version", VERSION).text("main", main).text("world", world).texts("robots", robots).integer("seed", seed)
-                .integer("scheduleSeed", scheduleSeed).flag("ideal", ideal).seconds("step", stepNanos).seconds("sample", sampleNanos);
+        line.integer("version", VERSION).text("main", main).text("world", world).texts("robots", robots)
+                .integer("seed", seed)
+                .integer("scheduleSeed", scheduleSeed).flag("ideal", ideal).seconds("step", stepNanos)
+                .seconds("sample", sampleNanos);
     }
 }

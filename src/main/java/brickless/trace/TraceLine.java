@@ -4,7 +4,10 @@ import brickless.world.Pose2;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
-/** The lines of a trace as text, without the line end. The trace itself gets its samples from {@link SampleLine}, which is faster. */
+/**
+ * The lines of a trace as text, without the line end. The trace itself gets its samples from {@link SampleLine}, which
+ * is faster.
+ */
 public final class TraceLine {
     private TraceLine() {}
 
@@ -24,6 +27,7 @@ public final class TraceLine {
 
     /** Writes a pose as everywhere in the trace: metres, and degrees clockwise. */
     public static JsonLine pose(JsonLine line, Pose2 pose) {
-        return line.number("x", pose.x(), 5).number("y", pose.y(), 5).number("heading", StrictMath.toDegrees(pose.headingRadians()), 3);
+        return line.number("x", pose.x(), 5).number("y", pose.y(), 5)
+                .number("heading", StrictMath.toDegrees(pose.headingRadians()), 3);
     }
 }

@@ -4,15 +4,18 @@ package brickless.trace;
 public interface TraceListener {
     /** Listens to nothing. */
     TraceListener NONE = new TraceListener() {
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             // Nobody is interested.
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             // Nobody is interested.
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             // Nobody is interested.
         }
     };

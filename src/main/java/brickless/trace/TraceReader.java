@@ -19,7 +19,8 @@ import java.util.List;
 /**
  * Reads {@code trace.jsonl} back, line by line.
  *
- * <p>Times come back in whole microseconds, numbers as they were rounded; written again they give the same bytes and the same hash.
+ * <p>Times come back in whole microseconds, numbers as they were rounded; written again they give the same bytes and
+ * the same hash.
  */
 public final class TraceReader {
     private final String file;
@@ -38,7 +39,8 @@ public final class TraceReader {
      * @param file the trace
      * @param listener is told everything in order
      * @return SHA-256 of the file in hexadecimal: the hash of the run
-     * @throws TraceException located, if the file is missing, cut off, damaged, or of a version this program does not know
+     * @throws TraceException located, if the file is missing, cut off, damaged, or of a version this program does not
+     *         know
      */
     public static String read(Path file, TraceListener listener) throws TraceException {
         try (InputStream in = Files.newInputStream(file)) {
@@ -81,7 +83,8 @@ public final class TraceReader {
             throw new TraceException(file, line + 1, "cut off in the middle of a line");
         }
         if (!ended) {
-            throw new TraceException(file, line, line == 0 ? "empty" : "cut off: the last line does not tell the end of the run");
+            throw new TraceException(file, line, line == 0 ? "empty"
+                    : "cut off: the last line does not tell the end of the run");
         }
     }
 
@@ -105,33 +108,37 @@ public final class TraceReader {
         }
     }
 
-    private TraceHeader header(String type, JsonFields fields) {
+    private static TraceHeader header(String type, JsonFields fields) {
         if (!type.equals("header")) {
             throw new IllegalArgumentException("is no trace: the first line is no header");
         }
         long version = fields.integer("version");
         if (version != TraceHeader.VERSION) {
-            throw new IllegalArgumentException("trace version " + version + " is not known; this program reads version " + TraceHeader.VERSION);
+            throw new IllegalArgumentException("trace version " + version + " is not known; this program reads version "
+                    + TraceHeader.VERSION);
         }
-        return new TraceHeader(fields.text("main"), fields.text("world"), fields.texts("robots"), fields.integer("seed"),
-                fields.integer("scheduleSeed"), fields.flag("ideal"), fields.nanos("step"), fields.nanos("sample"));
+        return new TraceHeader(fields.text("main"), fields.text("world"), fields.texts("robots"),
+                fields.integer("seed"), fields.integer("scheduleSeed"), fields.flag("ideal"), fields.nanos("step"),
+                fields.nanos("sample"));
     }
 
     private static Sample sample(JsonFields fields) {
         List<RobotSample> robots = fields.objects("robots").stream().map(TraceReader::robot).toList();
-        List<BodySample> bodies = fields.objects("bodies").stream().map(body -> new BodySample(body.text("id"), pose(body))).toList();
+        List<BodySample> bodies = fields.objects("bodies").stream()
+                .map(body -> new BodySample(body.text("id"), pose(body))).toList();
         return new Sample(fields.nanos("t"), robots, bodies);
     }
 
     private static RobotSample robot(JsonFields robot) {
         List<RobotSample.MotorSample> motors = new ArrayList<>();
         for (JsonFields motor : robot.objects("motors")) {
-            motors.add(new RobotSample.MotorSample(port(motor), motor.number("tacho"), motor.number("speed"), motor.number("duty"),
-                    motor.number("amperes")));
+            motors.add(new RobotSample.MotorSample(port(motor), motor.number("tacho"), motor.number("speed"),
+                    motor.number("duty"), motor.number("amperes")));
         }
         List<RobotSample.SensorSample> sensors = new ArrayList<>();
         for (JsonFields sensor : robot.objects("sensors")) {
-            sensors.add(new RobotSample.SensorSample((int) sensor.integer("port"), sensor.text("kind"), sensor.numbers("values")));
+            sensors.add(new RobotSample.SensorSample((int) sensor.integer("port"), sensor.text("kind"),
+                    sensor.numbers("values")));
         }
         return new RobotSample(robot.text("name"), pose(robot), motors, sensors, robot.number("volts"));
     }

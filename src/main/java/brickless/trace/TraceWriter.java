@@ -12,8 +12,8 @@ import java.util.HexFormat;
 /**
  * Writes the canonical trace, line by line, and hashes it.
  *
- * <p>The hash is SHA-256 over exactly the bytes of {@code trace.jsonl}, so {@code sha256sum trace.jsonl} gives it again. Not thread-safe:
- * the simulation writes from one thread at a time.
+ * <p>The hash is SHA-256 over exactly the bytes of {@code trace.jsonl}, so {@code sha256sum trace.jsonl} gives it
+ * again. Not thread-safe: the simulation writes from one thread at a time.
  */
 public final class TraceWriter implements AutoCloseable {
     private final OutputStream out;
@@ -64,7 +64,8 @@ public final class TraceWriter implements AutoCloseable {
         return hash;
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         out.close();
     }
 }

@@ -8,29 +8,4 @@ public final class AngularSpeeds {
     public static double radiansPerSecondFromRpm(double rpm) {
         return rpm / 60 * Angles.FULL_TURN_RADIANS;
     }
-
-    /** Radians per second to revolutions per minute. */
-    public static double rpmFromRadiansPerSecond(double radiansPerSecond) {
-        return radiansPerSecond / Angles.FULL_TURN_RADIANS * 60;
-    }
-
-    /** Revolutions per minute to degrees per second. */
-    public static double degreesPerSecondFromRpm(double rpm) {
-        return rpm * 6;
-    }
-
-    /** Degrees per second to revolutions per minute. */
-    public static double rpmFromDegreesPerSecond(double degreesPerSecond) {
-        return degreesPerSecond / 6;
-    }
-
-    /** Degrees per second to radians per second. */
-    public static double radiansPerSecondFromDegreesPerSecond(double degreesPerSecond) {
-        return Angles.radiansFromDegrees(degreesPerSecond);
-    }
-
-    /** Radians per second to degrees per second. */
-    public static double degreesPerSecondFromRadiansPerSecond(double radiansPerSecond) {
-        return Angles.degreesFromRadians(radiansPerSecond);
-    }
 }

@@ -12,28 +12,8 @@ public final class Lengths {
         return millimetres / 1000;
     }
 
-    /** Centimetres to metres. */
-    public static double metresFromCentimetres(double centimetres) {
-        return centimetres / 100;
-    }
-
-    /** Inches to metres. */
-    public static double metresFromInches(double inches) {
-        return inches * METRES_PER_INCH;
-    }
-
     /** Metres to millimetres. */
     public static double millimetresFromMetres(double metres) {
         return metres * 1000;
-    }
-
-    /** Metres to centimetres. */
-    public static double centimetresFromMetres(double metres) {
-        return metres * 100;
-    }
-
-    /** Metres to inches. */
-    public static double inchesFromMetres(double metres) {
-        return metres / METRES_PER_INCH;
     }
 }

@@ -29,19 +29,23 @@ final class CommandReader {
         return switch (name) {
             case "pause" -> new Command.Pause();
             case "play" -> new Command.Play();
-            case "step" -> new Command.Step(MILLI * (fields.has("millis") ? between(1, LONGEST_STEP_MILLIS, "millis", fields)
-                    : USUAL_STEP_MILLIS));
+            case "step" -> new Command.Step(MILLI * (fields.has("millis")
+                    ? between(1, LONGEST_STEP_MILLIS, "millis", fields) : USUAL_STEP_MILLIS));
             case "speed" -> new Command.SetSpeed(speed(fields));
-            case "restart" -> new Command.Restart(fields.has("seed") ? OptionalLong.of(fields.integer("seed")) : OptionalLong.empty());
+            case "restart" -> new Command.Restart(fields.has("seed")
+                    ? OptionalLong.of(fields.integer("seed")) : OptionalLong.empty());
             case "touch" -> new Command.Touch(fields.text("stimulus"));
-            case "hold" -> new Command.Hold(fields.has("robot") ? fields.text("robot") : "", fields.text("what"), fields.flag("down"),
-                    fields.has("viewer") ? (int) between(0, Integer.MAX_VALUE, "viewer", fields) : 0);
-            default -> throw new IllegalArgumentException("'" + name + "' is nothing to do; allowed: pause, play, step, speed, restart, touch, hold");
+            case "hold" -> new Command.Hold(fields.has("robot") ? fields.text("robot") : "", fields.text("what"),
+                    fields.flag("down"), fields.has("viewer")
+                    ? (int) between(0, Integer.MAX_VALUE, "viewer", fields) : 0);
+            default -> throw new IllegalArgumentException("'" + name
+                    + "' is nothing to do; allowed: pause, play, step, speed, restart, touch, hold");
         };
     }
 
     private static double speed(JsonFields fields) {
-        double speed = fields.isText("value") ? Speed.parse(fields.text("value")).orElse(Double.NaN) : fields.number("value");
+        double speed = fields.isText("value") ? Speed.parse(fields.text("value")).orElse(Double.NaN)
+                : fields.number("value");
         return Speed.check(speed);
     }
 

@@ -12,8 +12,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 
 /**
- * Drives the run: one thread that advances it in small steps as the wall clock asks for, does what viewers command, and tells them what
- * happens. Everything but the queue of tasks belongs to that thread.
+ * Drives the run: one thread that advances it in small steps as the wall clock asks for, does what viewers command, and
+ * tells them what happens. Everything but the queue of tasks belongs to that thread.
  */
 final class Driver implements Runnable {
     /** Frames follow each other at this distance, wall time: 30 a second. */
@@ -58,7 +58,10 @@ final class Driver implements Runnable {
         pacer = new Pacer(speed);
     }
 
-    /** The report of the last run, once it is over; empty if it never began. Completed exceptionally if the simulation itself failed. */
+    /**
+     * The report of the last run, once it is over; empty if it never began. Completed exceptionally if the simulation
+     * itself failed.
+     */
     CompletableFuture<Optional<RunReport>> result() {
         return result;
     }
@@ -190,7 +193,8 @@ final class Driver implements Runnable {
 
     // ---- the thread
 
-    @Override public void run() {
+    @Override
+    public void run() {
         try {
             while (!stopping) {
                 performAll(tasks.poll(waitNanos(), TimeUnit.NANOSECONDS));
@@ -247,7 +251,8 @@ final class Driver implements Runnable {
         }
         if (pacer.reached(now, session.nowNanos())) {
             playing = false;
-            say("The run was paused after another 10 simulated hours. Its record grows with its time; play lets it go on.");
+            say("The run was paused after another 10 simulated hours. "
+                    + "Its record grows with its time; play lets it go on.");
         }
     }
 
@@ -282,6 +287,7 @@ final class Driver implements Runnable {
     private void tellState() {
         shownEnded = session.ended();
         double rate = meter.report(System.nanoTime(), session.nowNanos());
-        audience.tell(Mailbox::state, Messages.state(session, playing && !session.ended(), pacer.speed(), rate, changed, message));
+        audience.tell(Mailbox::state,
+                Messages.state(session, playing && !session.ended(), pacer.speed(), rate, changed, message));
     }
 }

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.zip.CRC32C;
 
 /**
- * Which of some files have another content than at first. A file that is saved as it was, or back to it, has not changed. Files are read again
- * only if their time or size differs from the last look. Not thread-safe.
+ * Which of some files have another content than at first. A file that is saved as it was, or back to it, has not
+ * changed. Files are read again only if their time or size differs from the last look. Not thread-safe.
  */
 final class FileWatch {
     /** A look at a file; one that is not there, or is just being replaced by an editor, has no size. */
@@ -43,7 +43,8 @@ final class FileWatch {
         try {
             BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
             Look before = latest.get(file);
-            if (before != null && before.time().equals(attributes.lastModifiedTime()) && before.size() == attributes.size()) {
+            if (before != null && before.time().equals(attributes.lastModifiedTime())
+                    && before.size() == attributes.size()) {
                 return before;
             }
             CRC32C checksum = new CRC32C();

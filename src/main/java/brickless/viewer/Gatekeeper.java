@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Who is let in: requests that name this machine as their host (a page elsewhere that had its name resolved to this machine does not), that
- * come from no page or from ours, and that know the token.
+ * Who is let in: requests that name this machine as their host (a page elsewhere that had its name resolved to this
+ * machine does not), that come from no page or from ours, and that know the token.
  */
 final class Gatekeeper {
     private static final List<String> NAMES = List.of("127.0.0.1", "localhost");
@@ -29,7 +29,8 @@ final class Gatekeeper {
     boolean ours(Headers request) {
         List<String> host = request.getOrDefault("Host", List.of());
         List<String> origin = request.getOrDefault("Origin", List.of());
-        return host.size() == 1 && hosts.contains(host.get(0)) && (origin.isEmpty() || origin.size() == 1 && origins.contains(origin.get(0)));
+        return host.size() == 1 && hosts.contains(host.get(0))
+                && (origin.isEmpty() || origin.size() == 1 && origins.contains(origin.get(0)));
     }
 
     /** Whether an address begins with the token. */

@@ -12,8 +12,9 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A run that people watch and touch in a browser. It is the ordinary deterministic run, paced to the wall clock: touches become stimuli at the
- * present simulated time, and the stimuli file of the session repeats it headless, with the same trace.
+ * A run that people watch and touch in a browser. It is the ordinary deterministic run, paced to the wall clock:
+ * touches become stimuli at the present simulated time, and the stimuli file of the session repeats it headless, with
+ * the same trace.
  *
  * <p>The run begins when the first viewer is there and stands still when the view is closed. Thread-safe.
  */
@@ -48,7 +49,8 @@ public final class LiveView implements AutoCloseable {
         });
         thread.start();
         server.start();
-        files.scheduleWithFixedDelay(restarter::lookAtFiles, LOOK_AT_FILES_MILLIS, LOOK_AT_FILES_MILLIS, TimeUnit.MILLISECONDS);
+        files.scheduleWithFixedDelay(restarter::lookAtFiles, LOOK_AT_FILES_MILLIS, LOOK_AT_FILES_MILLIS,
+                TimeUnit.MILLISECONDS);
     }
 
     private static Session session(RunSource.Prepared first) {
@@ -95,8 +97,12 @@ public final class LiveView implements AutoCloseable {
         }
     }
 
-    /** Ends the run if it has not ended, writes its files, tells the viewers and closes the server. Threads are gone when it returns. */
-    @Override public void close() {
+    /**
+     * Ends the run if it has not ended, writes its files, tells the viewers and closes the server. Threads are gone
+     * when it returns.
+     */
+    @Override
+    public void close() {
         synchronized (this) {
             if (closed) {
                 return;

@@ -6,9 +6,9 @@ import java.util.Deque;
 import java.util.List;
 
 /**
- * What is still to be sent to one viewer. The driver puts messages in and never waits; the viewer's own thread takes them out. A viewer that
- * reads slowly gets fewer frames and samples: older ones make room. Events are never left out; if too many pile up they are all replaced by a
- * new beginning, which holds them. Guarded by its own monitor.
+ * What is still to be sent to one viewer. The driver puts messages in and never waits; the viewer's own thread takes
+ * them out. A viewer that reads slowly gets fewer frames and samples: older ones make room. Events are never left out;
+ * if too many pile up they are all replaced by a new beginning, which holds them. Guarded by its own monitor.
  */
 final class Mailbox {
     private static final int MOST_SAMPLES = 64;

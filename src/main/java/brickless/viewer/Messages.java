@@ -34,7 +34,8 @@ final class Messages {
             } else {
                 line.seconds("limit", limit.toNanos());
             }
-            line.integer("seed", session.prepared().settings().seed()).flag("attended", session.prepared().settings().attended());
+            line.integer("seed", session.prepared().settings().seed())
+                    .flag("attended", session.prepared().settings().attended());
         });
     }
 
@@ -52,20 +53,22 @@ final class Messages {
         return message("frame", line -> {
             line.seconds("t", frame.timeNanos());
             line.objects("robots", frame.robots(), Messages::robot);
-            line.objects("bodies", frame.bodies(), (body, fields) -> TraceLine.pose(fields.text("id", body.id()), body.displacement()));
+            line.objects("bodies", frame.bodies(), (body, fields) ->
+                    TraceLine.pose(fields.text("id", body.id()), body.displacement()));
         });
     }
 
     private static void robot(Frame.RobotFrame robot, JsonLine line) {
         TraceLine.pose(line.text("name", robot.name()), robot.pose());
-        line.objects("parts", robot.parts(), (part, fields) -> fields.text("id", part.id()).text("port", String.valueOf(part.port()))
+        line.objects("parts", robot.parts(), (part, fields) -> fields.text("id", part.id())
+                .text("port", String.valueOf(part.port()))
                 .number("degrees", StrictMath.toDegrees(part.angleRadians()), 2));
-        line.objects("beams", robot.beams(), (beam, fields) -> fields.integer("port", beam.port()).text("kind", beam.kind())
-                .raw("from", point(beam.from()))
+        line.objects("beams", robot.beams(), (beam, fields) -> fields.integer("port", beam.port())
+                .text("kind", beam.kind()).raw("from", point(beam.from()))
                 .raw("rays", "[" + String.join(",", beam.ends().stream().map(Messages::point).toList()) + "]")
                 .number("metres", beam.metres(), 3));
-        line.objects("spots", robot.spots(), (spot, fields) -> fields.integer("port", spot.port()).text("kind", spot.kind())
-                .raw("at", point(spot.at())).number("radius", spot.radiusMetres(), 4)
+        line.objects("spots", robot.spots(), (spot, fields) -> fields.integer("port", spot.port())
+                .text("kind", spot.kind()).raw("at", point(spot.at())).number("radius", spot.radiusMetres(), 4)
                 .raw("rgb", spot.colour().map(Messages::colour).orElse("null")));
     }
 
@@ -86,7 +89,8 @@ final class Messages {
      * @param changed files that changed since the start
      * @param message something to be told to people
      */
-    static byte[] state(Session session, boolean running, double speed, double rate, List<Path> changed, Optional<String> message) {
+    static byte[] state(Session session, boolean running, double speed, double rate, List<Path> changed,
+            Optional<String> message) {
         return message("state", line -> {
             line.seconds("t", session.nowNanos()).integer("session", session.number()).flag("running", running);
             if (speed == Speed.MAX) {

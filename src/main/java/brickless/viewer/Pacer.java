@@ -1,8 +1,8 @@
 package brickless.viewer;
 
 /**
- * Which simulated time is due at a wall time. What could not be caught up for a while is dropped: the run is late from then on but never races.
- * Owned by the driver.
+ * Which simulated time is due at a wall time. What could not be caught up for a while is dropped: the run is late from
+ * then on but never races. Owned by the driver.
  */
 final class Pacer {
     /** Assumption: catching up so much goes unnoticed. */
@@ -43,7 +43,8 @@ final class Pacer {
 
     /** Simulated time that the run should have reached. */
     long due(long nowNanos) {
-        return speed == Speed.MAX ? restNanos : Math.min(restNanos, simulatedNanos + (long) ((nowNanos - wallNanos) * speed));
+        return speed == Speed.MAX ? restNanos
+                : Math.min(restNanos, simulatedNanos + (long) ((nowNanos - wallNanos) * speed));
     }
 
     /**

@@ -9,8 +9,8 @@ import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * Prepares runs anew while the old one goes on, and looks after files that change meanwhile. What cannot be prepared is told to the viewers,
- * and the old run stays. Guarded by its own monitor.
+ * Prepares runs anew while the old one goes on, and looks after files that change meanwhile. What cannot be prepared is
+ * told to the viewers, and the old run stays. Guarded by its own monitor.
  */
 final class Restarter {
     private final RunSource source;
@@ -58,7 +58,8 @@ final class Restarter {
     private static void tryOut(RunSource.Prepared prepared) {
         boolean fits = false;
         try {
-            new Simulation(prepared.settings().toBuilder().out(Optional.empty()).build()).start(prepared.program()).close();
+            new Simulation(prepared.settings().toBuilder().out(Optional.empty()).build())
+                    .start(prepared.program()).close();
             fits = true;
         } finally {
             if (!fits) {

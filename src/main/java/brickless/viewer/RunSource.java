@@ -24,9 +24,11 @@ public interface RunSource {
      * @param program closed when its run is over
      * @param settings of the run
      * @param files what it was made of: if one of them changes a restart is offered
-     * @param command the command that runs it again headless within a time limit, with the stimuli of a file {@code stimuli.txt}
+     * @param command the command that runs it again headless within a time limit, with the stimuli of a file
+     *         {@code stimuli.txt}
      */
-    record Prepared(Program program, SimulationSettings settings, List<Path> files, Function<Duration, String> command) {
+    record Prepared(Program program, SimulationSettings settings, List<Path> files,
+            Function<Duration, String> command) {
         public Prepared {
             files = List.copyOf(files);
         }

@@ -137,7 +137,8 @@ final class Session {
         closed = true;
         run.close();
         prepared.program().close();
-        report().map(RunReport::files).filter(folder -> !folder.isEmpty()).ifPresent(folder -> save(Path.of(folder).resolve("stimuli.txt")));
+        report().map(RunReport::files).filter(folder -> !folder.isEmpty())
+                .ifPresent(folder -> save(Path.of(folder).resolve("stimuli.txt")));
     }
 
     private void save(Path file) {

@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Hears the trace of a run: collects all of it for viewers that come later, and what is new for those that are there. Written by the run's
- * thread while the driver waits for it, read by the driver while the run is held.
+ * Hears the trace of a run: collects all of it for viewers that come later, and what is new for those that are there.
+ * Written by the run's thread while the driver waits for it, read by the driver while the run is held.
  */
 final class Tap implements TraceListener {
     private record Happening(long timeNanos, String robot, TraceEvent event) {}
@@ -25,17 +25,20 @@ final class Tap implements TraceListener {
     private TraceHeader header;
     private Sample newest;
 
-    @Override public void header(TraceHeader value) {
+    @Override
+    public void header(TraceHeader value) {
         header = value;
         recording.header(value);
     }
 
-    @Override public void sample(Sample sample) {
+    @Override
+    public void sample(Sample sample) {
         newest = sample;
         recording.sample(sample);
     }
 
-    @Override public void event(long timeNanos, String robot, TraceEvent event) {
+    @Override
+    public void event(long timeNanos, String robot, TraceEvent event) {
         fresh.add(new Happening(timeNanos, robot, event));
         recording.event(timeNanos, robot, event);
     }

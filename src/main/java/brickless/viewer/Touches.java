@@ -31,8 +31,8 @@ final class Touches {
     }
 
     /**
-     * What words of the stimuli file mean at a time. A key that is pressed for some time is held and released: a program that is pressed keys
-     * for must not know beforehand.
+     * What words of the stimuli file mean at a time. A key that is pressed for some time is held and released: a
+     * program that is pressed keys for must not know beforehand.
      *
      * @throws RefusedException if they mean nothing
      */
@@ -58,7 +58,8 @@ final class Touches {
 
     private static List<Stimulus> unplanned(Stimulus stimulus, long stepNanos) {
         if (stimulus instanceof Stimulus.On on && on.what() instanceof Stimulus.Press press) {
-            return holdAndRelease(press, stepNanos).stream().<Stimulus>map(part -> new Stimulus.On(on.robot(), part)).toList();
+            return holdAndRelease(press, stepNanos).stream()
+                    .<Stimulus>map(part -> new Stimulus.On(on.robot(), part)).toList();
         }
         return stimulus instanceof Stimulus.Press press ? holdAndRelease(press, stepNanos) : List.of(stimulus);
     }
@@ -77,10 +78,12 @@ final class Touches {
      * @param command the command that repeats the session with it
      */
     String file(String command) {
-        StringBuilder text = new StringBuilder("# What was done to the robots in a live session. Saved as stimuli.txt, this repeats it exactly:\n# ")
+        StringBuilder text = new StringBuilder(
+                "# What was done to the robots in a live session. Saved as stimuli.txt, this repeats it exactly:\n# ")
                 .append(command).append('\n');
         stimuli.stream().sorted(Comparator.comparingLong(Stimulus::atNanos))
-                .forEach(stimulus -> text.append(text(stimulus.atNanos())).append(' ').append(stimulus.text()).append('\n'));
+                .forEach(stimulus -> text.append(text(stimulus.atNanos())).append(' ').append(stimulus.text())
+                        .append('\n'));
         return text.toString();
     }
 

@@ -8,7 +8,8 @@ import java.util.Optional;
  * Where and how a run is shown.
  *
  * @param port port on the loopback interface, 0 for any that is free
- * @param token secret part of the address: at least {@value #SHORTEST_TOKEN} characters that need no escape in an address
+ * @param token secret part of the address: at least {@value #SHORTEST_TOKEN} characters that need no escape in an
+ *         address
  * @param speed simulated seconds per second, 0.1 to 100 or infinite
  */
 public record ViewOptions(int port, String token, double speed) {

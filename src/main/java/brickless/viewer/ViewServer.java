@@ -52,7 +52,8 @@ final class ViewServer {
         this.driver = driver;
         this.restarter = restarter;
         token = options.token();
-        server = HttpServer.create(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), options.port()), BACKLOG);
+        server = HttpServer.create(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}),
+                options.port()), BACKLOG);
         gatekeeper = new Gatekeeper(server.getAddress().getPort(), token);
         int most = MOST_VIEWERS + OTHER_REQUESTS;
         threads = new ThreadPoolExecutor(most, most, 10, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), work -> {
@@ -65,7 +66,9 @@ final class ViewServer {
         server.createContext("/", this::handle);
     }
 
-    /** The JDK's server reads its settings from the system: answers without delay, requests that never end are cut off. */
+    /**
+     * The JDK's server reads its settings from the system: answers without delay, requests that never end are cut off.
+     */
     private static void setDefault(String property, String value) {
         if (System.getProperty(property) == null) {
             System.setProperty(property, value);
@@ -214,7 +217,8 @@ final class ViewServer {
     }
 
     private void perform(Command command) throws InterruptedException {
-        await(command instanceof Command.Restart restart ? restarter.restart(restart.seed()) : driver.submit(() -> driver.perform(command)));
+        await(command instanceof Command.Restart restart ? restarter.restart(restart.seed())
+                : driver.submit(() -> driver.perform(command)));
     }
 
     /** Waits for the driver; one that is busy for long, because the program is, is not waited for. */
@@ -232,7 +236,8 @@ final class ViewServer {
     }
 
     private static void refuse(HttpExchange exchange, int status, String message) throws IOException {
-        answer(exchange, status, JSON, JsonText.object(line -> line.text("error", message)).getBytes(StandardCharsets.UTF_8));
+        answer(exchange, status, JSON, JsonText.object(line -> line.text("error", message))
+                .getBytes(StandardCharsets.UTF_8));
     }
 
     private static void answer(HttpExchange exchange, int status, String type, byte[] body) throws IOException {

@@ -16,7 +16,8 @@ public sealed interface Region permits Region.Filled, Region.Stroked {
             rings = rings.stream().map(List::copyOf).toList();
         }
 
-        @Override public boolean contains(double x, double y) {
+        @Override
+        public boolean contains(double x, double y) {
             int winding = 0;
             int crossings = 0;
             for (List<Point2> ring : rings) {
@@ -37,7 +38,8 @@ public sealed interface Region permits Region.Filled, Region.Stroked {
             return evenOdd ? (crossings & 1) == 1 : winding != 0;
         }
 
-        @Override public double[] bounds() {
+        @Override
+        public double[] bounds() {
             return Bounds.of(rings, 0);
         }
     }
@@ -48,7 +50,8 @@ public sealed interface Region permits Region.Filled, Region.Stroked {
             lines = lines.stream().map(List::copyOf).toList();
         }
 
-        @Override public boolean contains(double x, double y) {
+        @Override
+        public boolean contains(double x, double y) {
             double limit = widthMetres * widthMetres / 4;
             for (List<Point2> line : lines) {
                 int n = line.size();
@@ -61,7 +64,8 @@ public sealed interface Region permits Region.Filled, Region.Stroked {
             return false;
         }
 
-        @Override public double[] bounds() {
+        @Override
+        public double[] bounds() {
             return Bounds.of(lines, widthMetres / 2);
         }
     }

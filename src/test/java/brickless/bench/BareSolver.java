@@ -15,8 +15,8 @@ import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.joints.FrictionJointDef;
 
 /**
- * The yardstick: JBox2D alone, as it comes, with the bodies, moves and rays of {@link DrivingRobots}, and nothing else. Robots are
- * pushed along their circles by setting their velocities. Lengths are decimetres.
+ * The yardstick: JBox2D alone, as it comes, with the bodies, moves and rays of {@link DrivingRobots}, and nothing else.
+ * Robots are pushed along their circles by setting their velocities. Lengths are decimetres.
  */
 final class BareSolver extends StepCost {
     private static final float STEP_SECONDS = 0.002f;
@@ -35,7 +35,8 @@ final class BareSolver extends StepCost {
         super(robots);
     }
 
-    @Override Stepper stepper() {
+    @Override
+    Stepper stepper() {
         RobotGrid grid = new RobotGrid(robots());
         world = new World(new Vec2(0, 0));
         world.setContinuousPhysics(false);
@@ -58,7 +59,8 @@ final class BareSolver extends StepCost {
     private void step(List<Body> robots, long time) {
         for (int i = 0; i < robots.size(); i++) {
             Body robot = robots.get(i);
-            robot.m_linearVelocity.set(SPEED * (float) StrictMath.cos(robot.getAngle()), SPEED * (float) StrictMath.sin(robot.getAngle()));
+            robot.m_linearVelocity.set(SPEED * (float) StrictMath.cos(robot.getAngle()),
+                    SPEED * (float) StrictMath.sin(robot.getAngle()));
             robot.m_angularVelocity = SPIN;
         }
         world.step(STEP_SECONDS, 6, 2);
@@ -134,7 +136,8 @@ final class BareSolver extends StepCost {
             world.raycast(this, from, to);
         }
 
-        @Override public float reportFixture(Fixture fixture, Vec2 point, Vec2 normal, float fraction) {
+        @Override
+        public float reportFixture(Fixture fixture, Vec2 point, Vec2 normal, float fraction) {
             return fixture.getBody() == self ? -1 : fraction;
         }
     }

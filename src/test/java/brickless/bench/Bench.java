@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Measures how fast Brickless is and prints a table: {@code Bench [--cases a,b] [--jdks 17,25] [--effort full|short|trial] [--out FILE]}.
- * Every case runs in a new JVM of every installed JDK.
+ * Measures how fast Brickless is and prints a table: {@code Bench [--cases a,b] [--jdks 17,25] [--effort
+ * full|short|trial] [--out FILE]}. Every case runs in a new JVM of every installed JDK.
  */
 public final class Bench {
     private final PrintStream out;

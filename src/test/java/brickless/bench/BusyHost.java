@@ -7,7 +7,8 @@ import java.util.stream.Stream;
 /** Keeps all processors of this machine busy until it is closed. */
 public final class BusyHost implements AutoCloseable {
     private final AtomicBoolean done = new AtomicBoolean();
-    private final List<Thread> load = Stream.generate(this::thread).limit(Runtime.getRuntime().availableProcessors()).toList();
+    private final List<Thread> load = Stream.generate(this::thread)
+            .limit(Runtime.getRuntime().availableProcessors()).toList();
 
     /** Begins. */
     public BusyHost() {
@@ -24,7 +25,8 @@ public final class BusyHost implements AutoCloseable {
         return thread;
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         done.set(true);
     }
 }

@@ -22,7 +22,8 @@ public final class Child {
 
     /** Measures a case in a JVM of the JDK with this home. */
     static Figures measure(Path jdk, BenchCase bench, String effort) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(command(jdk, bench, effort)).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        Process process = new ProcessBuilder(command(jdk, bench, effort))
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start();
         String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         if (process.waitFor() != 0) {
             throw new IllegalStateException(bench.name() + " failed on " + jdk + ": " + out);
@@ -32,14 +33,15 @@ public final class Child {
 
     private static List<String> command(Path jdk, BenchCase bench, String effort) {
         List<String> command = new ArrayList<>(bench.conditions().prefix());
-        command.addAll(List.of(jdk.resolve("bin/java").toString(), "-XX:+UseSerialGC", "-Xss1m", "-Xmx" + bench.heap(), "-Djava.awt.headless=true",
-                "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn"));
+        command.addAll(List.of(jdk.resolve("bin/java").toString(), "-XX:+UseSerialGC", "-Xss1m", "-Xmx" + bench.heap(),
+                "-Djava.awt.headless=true", "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn"));
         command.addAll(bench.conditions().vmOptions());
         command.addAll(VIRTUAL_TIME);
         for (String name : new String[] {"brickless.home", "brickless.install", "java.io.tmpdir"}) {
             command.add("-D" + name + "=" + System.getProperty(name, ""));
         }
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Child.class.getName(), bench.name(), effort));
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Child.class.getName(),
+                bench.name(), effort));
         return command;
     }
 }

@@ -10,8 +10,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The demo from the command line, from the start of a new JVM to the summary, all files written. It is the installed program if there is
- * one (system property {@code brickless.install}), else the classes of this JVM's class path.
+ * The demo from the command line, from the start of a new JVM to the summary, all files written. It is the installed
+ * program if there is one (system property {@code brickless.install}), else the classes of this JVM's class path.
  */
 final class ColdRun implements Measurement {
     private static final String PROGRAM = "sim/programs/explorer/Explorer.java";
@@ -19,7 +19,8 @@ final class ColdRun implements Measurement {
     /** What the shell prints of its children's times, on the last line. */
     private static final Pattern TIMES = Pattern.compile("(\\d+)m([\\d.]+)s (\\d+)m([\\d.]+)s\\s*$");
 
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         Path folder = Files.createTempDirectory("brickless-bench");
         Figures[] rounds = new Figures[effort.nest() ? 2 * effort.rounds() - 1 : 1];
         for (int i = 0; i < rounds.length; i++) {
@@ -30,7 +31,8 @@ final class ColdRun implements Measurement {
 
     private static Figures round(Path folder, Effort effort) throws IOException, InterruptedException {
         Path log = folder.resolve("log.txt");
-        ProcessBuilder builder = new ProcessBuilder(command(folder.resolve("out"), effort)).redirectErrorStream(true).redirectOutput(log.toFile());
+        ProcessBuilder builder = new ProcessBuilder(command(folder.resolve("out"), effort)).redirectErrorStream(true)
+                .redirectOutput(log.toFile());
         builder.environment().put("BRICKLESS_JAVA", java());
         long begin = System.nanoTime();
         Process process = builder.start();
@@ -65,8 +67,8 @@ final class ColdRun implements Measurement {
         } else {
             command.add(Path.of(install, "bin", "brickless").toString());
         }
-        command.addAll(List.of("run", Path.of(System.getProperty("brickless.home"), PROGRAM).toString(), "--for", effort.nest() ? "60s" : "1s",
-                "--out", out.toString()));
+        command.addAll(List.of("run", Path.of(System.getProperty("brickless.home"), PROGRAM).toString(), "--for",
+                effort.nest() ? "60s" : "1s", "--out", out.toString()));
         return command;
     }
 }

@@ -10,20 +10,22 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What rewriting costs programs that compute: how many times longer {@link Loops} take rewritten than plain, best of some rounds in host
- * time. At most 3 times as long is wanted.
+ * What rewriting costs programs that compute: how many times longer {@link Loops} take rewritten than plain, best of
+ * some rounds in host time. At most 3 times as long is wanted.
  */
 final class ComputeCost implements Measurement {
     private static final List<String> LOOPS = List.of("matrix", "sieve", "collatz", "particles", "fibonacci", "sort");
     private static final int ROUNDS = 60;
 
-    @Override public Figures measure(Effort effort) {
+    @Override
+    public Figures measure(Effort effort) {
         int rounds = effort.nest() ? ROUNDS : 1;
         Map<String, Long> plain = measure(Loops.class, rounds);
         Map<String, Long> rewritten = new TreeMap<>();
         RobotClassLoader loader = RobotClassLoader.ofApplication(ComputeCost.class.getClassLoader(),
                 LoadingRules.standard().rewriting(Loops.class.getName()));
-        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(Long.MAX_VALUE).withStepNanos(2_000_000), time -> { });
+        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(Long.MAX_VALUE)
+                .withStepNanos(2_000_000), time -> { });
         kernel.bind(loader.bind(kernel));
         Thread main = loader.programThread("main", () -> {
             try {

@@ -22,14 +22,16 @@ final class DrivingRobots extends StepCost {
         super(robots);
     }
 
-    @Override Stepper stepper() {
+    @Override
+    Stepper stepper() {
         RobotGrid grid = new RobotGrid(robots());
         World world = grid.world();
         Arena arena = new Arena(world, grid.entrants(), ArenaSettings.of(false));
         Surroundings surroundings = new Surroundings(arena, FloorColour.of(world), 1, false);
         List<RobotDevices> robots = new ArrayList<>();
         for (RobotBody body : arena.robots()) {
-            robots.add(driving(new RobotDevices(body, surroundings, new FakeProcessor(ArenaSettings.DEFAULT_STEP_NANOS, time -> { }),
+            robots.add(driving(new RobotDevices(body, surroundings,
+                    new FakeProcessor(ArenaSettings.DEFAULT_STEP_NANOS, time -> { }),
                     MotorFitting.FIXED, SensorFitting.FIXED)));
         }
         return time -> {

@@ -15,7 +15,8 @@ import java.util.Arrays;
  */
 record HostReading(long wallNanos, long processNanos, long threadNanos, long allocatedBytes) {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    private static final OperatingSystemMXBean SYSTEM =
+            (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
     static HostReading now() {
         long[] threads = THREADS.getAllThreadIds();

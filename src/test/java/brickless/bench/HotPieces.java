@@ -37,15 +37,18 @@ public class HotPieces {
     @State(Scope.Thread)
     public static class Robot {
         private static final long STEP_NANOS = ArenaSettings.DEFAULT_STEP_NANOS;
-        private final Arena arena = new Arena(new RobotGrid(1).world(), new RobotGrid(1).entrants(), ArenaSettings.of(false));
-        private final RobotDevices devices = RobotDevices.of(arena, arena.robots().get(0), new FakeProcessor(STEP_NANOS, time -> { }), 1, false);
+        private final Arena arena = new Arena(new RobotGrid(1).world(), new RobotGrid(1).entrants(),
+                ArenaSettings.of(false));
+        private final RobotDevices devices = RobotDevices.of(arena, arena.robots().get(0),
+                new FakeProcessor(STEP_NANOS, time -> { }), 1, false);
         private final byte[] message = new byte[2];
         private long now;
         private int place;
 
         /** Both motors run, all sensors are on. */
         public Robot() {
-            devices.sensor(2).plug(new SensorMount("colour", 2, SensorType.EV3_COLOR, new Point2(0.05, 0), 0, 0.008, List.of(), Optional.empty()));
+            devices.sensor(2).plug(new SensorMount("colour", 2, SensorType.EV3_COLOR, new Point2(0.05, 0), 0, 0.008,
+                    List.of(), Optional.empty()));
             devices.sensor(2).uart().initialise(0);
             devices.sensor(3).uart().initialise(0);
             devices.motor(1).drive(40);
@@ -54,25 +57,29 @@ public class HotPieces {
     }
 
     /** Controllers and motors of a robot with two motors, for one physics step. */
-    @Benchmark public void motorStep(Robot robot) {
+    @Benchmark
+    public void motorStep(Robot robot) {
         robot.devices.beforeStep(robot.now += Robot.STEP_NANOS);
     }
 
     /** The solver's step of a moving robot. */
-    @Benchmark public void arenaStep(Robot robot) {
+    @Benchmark
+    public void arenaStep(Robot robot) {
         robot.devices.motor(1).beforeStep(0, 8);
         robot.devices.motor(2).beforeStep(0, 8);
         robot.arena.step();
     }
 
     /** A ping of the ultrasonic sensor: nine rays. */
-    @Benchmark public int rayFan(Robot robot) {
+    @Benchmark
+    public int rayFan(Robot robot) {
         robot.devices.sensor(3).afterStep(robot.now += 25_000_000);
         return robot.message[0];
     }
 
     /** A reading of the colour sensor at a place it has not looked at before. */
-    @Benchmark public int colourSpot(Robot robot) {
+    @Benchmark
+    public int colourSpot(Robot robot) {
         robot.place = (robot.place + 1) % 500;
         robot.arena.move(robot.arena.robots().get(0), new Pose2(0.5 + robot.place * 0.001, 0.75, 0));
         return robot.devices.sensor(2).uart().read(robot.message, 0, 1);
@@ -85,8 +92,10 @@ public class HotPieces {
         private RobotClassLoader loader;
 
         /** A new one for every invocation: a kernel runs once. */
-        @Setup(Level.Invocation) public void load() throws Exception {
-            loader = RobotClassLoader.ofApplication(HotPieces.class.getClassLoader(), LoadingRules.standard().rewriting(Loops.class.getName()));
+        @Setup(Level.Invocation)
+        public void load() throws Exception {
+            loader = RobotClassLoader.ofApplication(HotPieces.class.getClassLoader(),
+                    LoadingRules.standard().rewriting(Loops.class.getName()));
             kernel = new Kernel(KernelSettings.defaults());
             kernel.bind(loader.bind(kernel));
             loader.loadClass(Loops.class.getName());
@@ -99,7 +108,9 @@ public class HotPieces {
     }
 
     /** Two threads that yield to each other. */
-    @Benchmark @OperationsPerInvocation(SWITCHES) public long contextSwitch(Program program) {
+    @Benchmark
+    @OperationsPerInvocation(SWITCHES)
+    public long contextSwitch(Program program) {
         Runnable half = () -> {
             for (int i = 0; i < SWITCHES / 2; i++) {
                 program.kernel.yieldProcessor();
@@ -113,11 +124,13 @@ public class HotPieces {
     }
 
     /** A turn of a rewritten loop: an addition, a multiplication and the charge. */
-    @Benchmark @OperationsPerInvocation(Loops.TURNS) public long tick(Program program) {
+    @Benchmark
+    @OperationsPerInvocation(Loops.TURNS)
+    public long tick(Program program) {
         program.run(() -> {
             try {
-                MethodHandles.publicLookup().findStatic(program.loader.loadClass(Loops.class.getName()), "turns", MethodType.methodType(double.class))
-                        .invoke();
+                MethodHandles.publicLookup().findStatic(program.loader.loadClass(Loops.class.getName()), "turns",
+                        MethodType.methodType(double.class)).invoke();
             } catch (Throwable e) {
                 throw new IllegalStateException(e);
             }

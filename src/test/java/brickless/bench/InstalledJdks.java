@@ -26,7 +26,8 @@ public final class InstalledJdks {
                 found.filter(home -> !Files.isSymbolicLink(home)).sorted().forEach(candidates::add);
             }
         }
-        System.getenv().entrySet().stream().filter(entry -> entry.getKey().matches("(JDK_?HOME|JAVA_?HOME)_?\\w*|BRICKLESS_JAVA_HOME"))
+        System.getenv().entrySet().stream()
+                .filter(entry -> entry.getKey().matches("(JDK_?HOME|JAVA_?HOME)_?\\w*|BRICKLESS_JAVA_HOME"))
                 .sorted(Map.Entry.comparingByKey()).forEach(entry -> candidates.add(Path.of(entry.getValue())));
         List<Path> homes = new ArrayList<>();
         List<Integer> versions = new ArrayList<>();

@@ -21,8 +21,10 @@ final class ManyRobots implements Measurement {
         this.robots = robots;
     }
 
-    @Override public Figures measure(Effort effort) throws Exception {
-        int seconds = Math.max(1, Math.min(effort.simulatedSeconds(), effort.nest() ? Math.max(10, ROBOT_SECONDS / robots / 2) : 1));
+    @Override
+    public Figures measure(Effort effort) throws Exception {
+        int seconds = Math.max(1,
+                Math.min(effort.simulatedSeconds(), effort.nest() ? Math.max(10, ROBOT_SECONDS / robots / 2) : 1));
         long begin = System.nanoTime();
         Figures last = round(seconds);
         for (int i = 1; i < effort.rounds() && System.nanoTime() - begin < 2 * effort.warmUpMillis() * 1_000_000; i++) {
@@ -32,8 +34,8 @@ final class ManyRobots implements Measurement {
     }
 
     private Figures round(int seconds) {
-        Simulation simulation = new Simulation(SimulationSettings.builder(new RobotGrid(robots).world()).robot(RobotGrid.model())
-                .limit(Duration.ofSeconds(seconds)).build());
+        Simulation simulation = new Simulation(SimulationSettings.builder(new RobotGrid(robots).world())
+                .robot(RobotGrid.model()).limit(Duration.ofSeconds(seconds)).build());
         double[] before = memory();
         HostReading start = HostReading.now();
         Run run = simulation.start(Program.onClassPath(Bumper.class.getName()));

@@ -12,12 +12,14 @@ import org.openjdk.jmh.runner.options.VerboseMode;
 
 /** Runs {@link HotPieces} with JMH: nanoseconds for each. */
 final class Pieces implements Measurement {
-    @Override public Figures measure(Effort effort) throws RunnerException {
+    @Override
+    public Figures measure(Effort effort) throws RunnerException {
         boolean trial = !effort.nest();
         TimeValue time = TimeValue.milliseconds(trial ? 1 : Math.max(200, effort.warmUpMillis() / 10));
-        ChainedOptionsBuilder options = new OptionsBuilder().include(HotPieces.class.getName() + "\\..*").forks(trial ? 0 : 1)
-                .warmupIterations(trial ? 0 : 5).warmupTime(time).measurementIterations(trial ? 1 : 5).measurementTime(time)
-                .verbosity(VerboseMode.SILENT).shouldFailOnError(true);
+        ChainedOptionsBuilder options = new OptionsBuilder().include(HotPieces.class.getName() + "\\..*")
+                .forks(trial ? 0 : 1)
+                .warmupIterations(trial ? 0 : 5).warmupTime(time).measurementIterations(trial ? 1 : 5)
+                .measurementTime(time).verbosity(VerboseMode.SILENT).shouldFailOnError(true);
         if (trial) {
             options = options.exclude("contextSwitch|tick");
         }

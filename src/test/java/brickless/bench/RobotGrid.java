@@ -39,16 +39,19 @@ record RobotGrid(int robots) {
 
     World world() {
         double side = side();
-        List<Obstacle> obstacles = new ArrayList<>(List.of(TestWorlds.wall("north", 0, -WALL, side, 0), TestWorlds.wall("south", 0, side, side, side + WALL),
-                TestWorlds.wall("west", -WALL, 0, 0, side), TestWorlds.wall("east", side, 0, side + WALL, side)));
+        List<Obstacle> obstacles = new ArrayList<>(List.of(TestWorlds.wall("north", 0, -WALL, side, 0),
+                TestWorlds.wall("south", 0, side, side, side + WALL), TestWorlds.wall("west", -WALL, 0, 0, side),
+                TestWorlds.wall("east", side, 0, side + WALL, side)));
         List<Placement> placements = new ArrayList<>();
         for (int i = 0; i < robots; i++) {
             Point2 place = place(i);
-            obstacles.add(TestWorlds.crate("crate" + i, place.x() + CRATE_AWAY, place.y() + CRATE_AWAY, CRATE, CRATE_KILOGRAMS));
-            placements.add(new Placement("robot" + i, new Pose2(place.x(), place.y(), 0), Optional.empty(), Optional.empty()));
+            obstacles.add(TestWorlds.crate("crate" + i, place.x() + CRATE_AWAY, place.y() + CRATE_AWAY, CRATE,
+                    CRATE_KILOGRAMS));
+            placements.add(new Placement("robot" + i, new Pose2(place.x(), place.y(), 0), Optional.empty(),
+                    Optional.empty()));
         }
-        return new World("grid", -WALL, -WALL, side + 2 * WALL, side + 2 * WALL, List.of(), obstacles, List.of(), List.of(), List.of(),
-                Optional.empty(), placements, "");
+        return new World("grid", -WALL, -WALL, side + 2 * WALL, side + 2 * WALL, List.of(), obstacles, List.of(),
+                List.of(), List.of(), Optional.empty(), placements, "");
     }
 
     List<Entrant> entrants() {
@@ -58,8 +61,9 @@ record RobotGrid(int robots) {
     /** Two motors, a touch and an ultrasonic sensor. */
     static RobotModel model() {
         return TestWorlds.educator(
-                new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03, TestWorlds.box(0.055, -0.058, 0.065, 0.058),
-                        Optional.empty()),
-                new SensorMount("eye", 3, SensorType.EV3_ULTRASONIC, new Point2(0.05, 0), 0, 0.06, List.of(), Optional.empty()));
+                new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03,
+                        TestWorlds.box(0.055, -0.058, 0.065, 0.058), Optional.empty()),
+                new SensorMount("eye", 3, SensorType.EV3_ULTRASONIC, new Point2(0.05, 0), 0, 0.06, List.of(),
+                        Optional.empty()));
     }
 }

@@ -9,8 +9,9 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What the physics step and the solver's iterations cost and what they get wrong: the tables of MODELS.md. Errors are the largest of a
- * trial's variants against a reference with steps of 0.25 ms and many iterations; times are processor time of the one thread.
+ * What the physics step and the solver's iterations cost and what they get wrong: the tables of MODELS.md. Errors are
+ * the largest of a trial's variants against a reference with steps of 0.25 ms and many iterations; times are processor
+ * time of the one thread.
  *
  * <p>{@code StepAccuracy} prints all; {@code StepAccuracy 2.0 6 2} one row.
  */
@@ -29,7 +30,8 @@ public final class StepAccuracy {
             rows.add(settings(Double.parseDouble(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2])));
         } else {
             for (double millis : new double[] {0.5, 1, 2, 4, 5, 10}) {
-                rows.add(settings(millis, ArenaSettings.DEFAULT_VELOCITY_ITERATIONS, ArenaSettings.DEFAULT_POSITION_ITERATIONS));
+                rows.add(settings(millis, ArenaSettings.DEFAULT_VELOCITY_ITERATIONS,
+                        ArenaSettings.DEFAULT_POSITION_ITERATIONS));
             }
             for (double millis : new double[] {2, 4}) {
                 for (int[] iterations : new int[][] {{1, 1}, {2, 1}, {4, 1}, {10, 4}, {30, 8}}) {
@@ -57,7 +59,8 @@ public final class StepAccuracy {
             line.append(String.format(Locale.ROOT, " | %.2f", error(trial, settings)));
         }
         double cpuSeconds = cpuSecondsPerSimulatedSecond(settings);
-        System.out.println(line.append(String.format(Locale.ROOT, " | %.2f ms | %.0f", cpuSeconds * 1e3, 1 / cpuSeconds)));
+        System.out.println(
+                line.append(String.format(Locale.ROOT, " | %.2f ms | %.0f", cpuSeconds * 1e3, 1 / cpuSeconds)));
     }
 
     /** The largest distance to the reference; creep and gyro are errors by themselves. */
@@ -65,7 +68,8 @@ public final class StepAccuracy {
         double largest = 0;
         for (int variant = 0; variant < trial.variants; variant++) {
             double[] coarse = trial.run(settings, variant);
-            double[] fine = trial == StepTrials.CREEP || trial == StepTrials.GYRO ? new double[1] : trial.run(REFERENCE, variant);
+            double[] fine = trial == StepTrials.CREEP || trial == StepTrials.GYRO
+                    ? new double[1] : trial.run(REFERENCE, variant);
             double squares = 0;
             for (int i = 0; i < coarse.length; i++) {
                 squares += (coarse[i] - fine[i]) * (coarse[i] - fine[i]);

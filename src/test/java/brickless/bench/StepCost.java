@@ -25,7 +25,8 @@ abstract class StepCost implements Measurement {
         void step(long timeNanos);
     }
 
-    @Override public final Figures measure(Effort effort) {
+    @Override
+    public final Figures measure(Effort effort) {
         int steps = effort.nest() ? Math.max(2_000, STEPS_PER_ROUND * 4 / (3 + robots)) : 100;
         long begin = System.nanoTime();
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {
@@ -49,6 +50,7 @@ abstract class StepCost implements Measurement {
             stepper.step(now);
         }
         double allocated = HostReading.ownBytes() - bytes;
-        return new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps).put("bytesPerStep", allocated / steps);
+        return new Figures().put("nanosPerStep", (double) (HostReading.ownNanos() - cpu) / steps)
+                .put("bytesPerStep", allocated / steps);
     }
 }

@@ -20,8 +20,10 @@ final class Table {
 
     /** Adds a result; if its yardstick was measured before on the same JDK, the ratio to it becomes one more figure. */
     Row add(BenchCase bench, int jdk, Figures figures) {
-        bench.yardstick().flatMap(name -> rows.stream().filter(row -> row.jdk() == jdk && row.bench().name().equals(name)).findFirst())
-                .ifPresent(bare -> figures.put("timesBare", figures.get("nanosPerStep") / bare.figures().get("nanosPerStep")));
+        bench.yardstick().flatMap(name -> rows.stream()
+                .filter(row -> row.jdk() == jdk && row.bench().name().equals(name)).findFirst())
+                .ifPresent(bare -> figures.put("timesBare",
+                        figures.get("nanosPerStep") / bare.figures().get("nanosPerStep")));
         Row row = new Row(bench, jdk, figures);
         rows.add(row);
         return row;
@@ -40,7 +42,8 @@ final class Table {
     }
 
     private static void group(StringBuilder text, List<Row> members) {
-        List<String> names = members.stream().flatMap(row -> row.figures().values().keySet().stream()).distinct().toList();
+        List<String> names = members.stream().flatMap(row -> row.figures().values().keySet().stream())
+                .distinct().toList();
         text.append(padded("case")).append("  JDK");
         names.forEach(name -> text.append("  ").append(name));
         text.append('\n');
@@ -60,7 +63,8 @@ final class Table {
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, Math.abs(value) >= 100 ? "%.0f" : Math.abs(value) >= 10 ? "%.1f" : "%.2f", value);
+        String format = Math.abs(value) >= 100 ? "%.0f" : Math.abs(value) >= 10 ? "%.1f" : "%.2f";
+        return String.format(Locale.ROOT, format, value);
     }
 
     private static String padded(String name) {
@@ -73,7 +77,8 @@ final class Table {
             line.text("effort", effort).text("os", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
             line.integer("processors", Runtime.getRuntime().availableProcessors());
             line.objects("results", rows, (row, fields) -> {
-                fields.text("case", row.bench().name()).integer("jdk", row.jdk()).text("conditions", row.bench().conditions().name().toLowerCase(Locale.ROOT));
+                fields.text("case", row.bench().name()).integer("jdk", row.jdk())
+                        .text("conditions", row.bench().conditions().name().toLowerCase(Locale.ROOT));
                 fields.raw("figures", row.figures().json());
             });
         });

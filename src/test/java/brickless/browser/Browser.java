@@ -17,13 +17,18 @@ import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.interactions.Actions;
 
-/** Chromium without a window, as Debian packages it. A machine without it fails the test: what a page shows cannot be checked there. */
+/**
+ * Chromium without a window, as Debian packages it. A machine without it fails the test: what a page shows cannot be
+ * checked there.
+ */
 public final class Browser implements AutoCloseable {
-    private static final String NEEDED = "Chromium and its driver are needed for this test: apt-get install chromium chromium-driver";
-    private static final String AWAIT_OPEN = "const done = arguments[0]; const look = () => document.body && !['loading', undefined].includes("
+    private static final String NEEDED =
+            "Chromium and its driver are needed for this test: apt-get install chromium chromium-driver";
+    private static final String AWAIT_OPEN =
+            "const done = arguments[0]; const look = () => document.body && !['loading', undefined].includes("
             + "document.body.dataset.state) ? done(document.body.dataset.state) : setTimeout(look, 20); look();";
-    private static final String AWAIT = "const done = arguments[0]; const look = () => (%s) ? requestAnimationFrame(() => done(true)) "
-            + ": setTimeout(look, 20); look();";
+    private static final String AWAIT = "const done = arguments[0]; const look = () => (%s) "
+            + "? requestAnimationFrame(() => done(true)) : setTimeout(look, 20); look();";
 
     private final ChromeDriver driver;
 
@@ -31,9 +36,11 @@ public final class Browser implements AutoCloseable {
     public Browser(int width, int height) {
         ChromeOptions options = new ChromeOptions();
         options.setBinary(program("chromium", "chromium-browser", "google-chrome").toFile());
-        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-                "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars");
-        ChromeDriverService service = new ChromeDriverService.Builder().usingDriverExecutable(program("chromedriver").toFile()).build();
+        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                "--disable-dev-shm-usage", "--hide-scrollbars");
+        ChromeDriverService service = new ChromeDriverService.Builder()
+                .usingDriverExecutable(program("chromedriver").toFile()).build();
         driver = new ChromeDriver(service, options);
         driver.manage().timeouts().scriptTimeout(Duration.ofSeconds(30));
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
@@ -42,8 +49,8 @@ public final class Browser implements AutoCloseable {
 
     private static Path program(String... names) {
         List<String> folders = List.of(System.getenv("PATH").split(java.io.File.pathSeparator));
-        return Stream.of(names).flatMap(name -> folders.stream().map(folder -> Path.of(folder, name))).filter(Files::isExecutable).findFirst()
-                .orElseThrow(() -> new AssertionError(NEEDED));
+        return Stream.of(names).flatMap(name -> folders.stream().map(folder -> Path.of(folder, name)))
+                .filter(Files::isExecutable).findFirst().orElseThrow(() -> new AssertionError(NEEDED));
     }
 
     /** Opens a page of ours and waits until it shows its run. */
@@ -112,7 +119,8 @@ public final class Browser implements AutoCloseable {
         keys(Keys.chord(Keys.SHIFT, key));
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         driver.quit();
     }
 }

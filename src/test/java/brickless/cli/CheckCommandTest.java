@@ -19,11 +19,19 @@ class CheckCommandTest {
     /** What some other leJOS may have had: an absent class, and members that the class here has not. */
     private static final String LAMP = """
             package lejos.hardware;
-            public class LaserLamp { public LaserLamp(int port) {} public void aim(double[] angles, String name) {} public static int power; }
+            public class LaserLamp {
+                public LaserLamp(int port) {}
+                public void aim(double[] angles, String name) {}
+                public static int power;
+            }
             """;
     private static final String SOUND = """
             package lejos.hardware;
-            public class Sound { public static void sing(int[][] notes, Object voice) {} public static int volume; public static void beep() {} }
+            public class Sound {
+                public static void sing(int[][] notes, Object voice) {}
+                public static int volume;
+                public static void beep() {}
+            }
             """;
     private static final String PROGRAM = """
             import lejos.hardware.LaserLamp;
@@ -42,14 +50,18 @@ class CheckCommandTest {
 
     @TempDir Path folder;
 
-    @TestFactory Stream<DynamicTest> nothingIsMissingForTheExamplePrograms() throws IOException {
+    @TestFactory
+    Stream<DynamicTest> nothingIsMissingForTheExamplePrograms() throws IOException {
         try (Stream<Path> programs = Files.list(CommandLineRun.program(""))) {
-            return programs.sorted().toList().stream().map(program -> DynamicTest.dynamicTest(program.getFileName().toString(), () -> {
-                CommandLineRun run = CommandLineRun.of("check", program);
-                assertThat(run.out()).endsWith("nothing of leJOS is missing\n");
-                assertThat(run.status()).isZero();
-            }));
+            return programs.sorted().toList().stream().map(program ->
+                    DynamicTest.dynamicTest(program.getFileName().toString(), () -> assertNothingIsMissing(program)));
         }
+    }
+
+    private static void assertNothingIsMissing(Path program) {
+        CommandLineRun run = CommandLineRun.of("check", program);
+        assertThat(run.out()).endsWith("nothing of leJOS is missing\n");
+        assertThat(run.status()).isZero();
     }
 
     private Path compiled() throws IOException {
@@ -66,13 +78,15 @@ class CheckCommandTest {
     }
 
     private static void compile(Path target, Path classPath, Path... sources) {
-        List<String> words = Stream.concat(Stream.of("--release", "8", "-Xlint:none", "-nowarn", "-g", "-d", target.toString(), "-cp", classPath.toString()),
-                Stream.of(sources).map(Path::toString)).toList();
-        assertThat(ToolProvider.getSystemJavaCompiler().run(null, OutputStream.nullOutputStream(), OutputStream.nullOutputStream(),
+        List<String> words = Stream.concat(Stream.of("--release", "8", "-Xlint:none", "-nowarn", "-g", "-d",
+                target.toString(), "-cp", classPath.toString()), Stream.of(sources).map(Path::toString)).toList();
+        assertThat(ToolProvider.getSystemJavaCompiler()
+                .run(null, OutputStream.nullOutputStream(), OutputStream.nullOutputStream(),
                 words.toArray(String[]::new))).isZero();
     }
 
-    @Test void missingClassesAndMembersAreNamedWithTheProgramsLines() throws IOException {
+    @Test
+    void missingClassesAndMembersAreNamedWithTheProgramsLines() throws IOException {
         Path classes = compiled();
         CommandLineRun run = CommandLineRun.of("check", classes);
         assertThat(run.out().lines()).containsExactly(classes + " uses 3 of leJOS missing here:",
@@ -82,19 +96,24 @@ class CheckCommandTest {
         assertThat(run.status()).isEqualTo(1);
     }
 
-    @Test void aClassThatIsBroughtAlongIsNotMissing() throws IOException {
+    @Test
+    void aClassThatIsBroughtAlongIsNotMissing() throws IOException {
         Path classes = compiled();
-        assertThat(CommandLineRun.of("check", classes, "--classpath", folder.resolve("stubs")).out()).contains("Sound.sing").doesNotContain("LaserLamp");
+        assertThat(CommandLineRun.of("check", classes, "--classpath", folder.resolve("stubs")).out())
+                .contains("Sound.sing").doesNotContain("LaserLamp");
     }
 
-    @Test void sourceThatDoesNotCompileForWantOfLejosNamesItToo() throws IOException {
+    @Test
+    void sourceThatDoesNotCompileForWantOfLejosNamesItToo() throws IOException {
         compiled();
         CommandLineRun run = CommandLineRun.of("check", folder.resolve("Show.java"));
         assertThat(run.status()).isEqualTo(1);
-        assertThat(run.out()).contains("does not compile with this leJOS API").contains("Show.java:1: error: cannot find symbol").contains("class LaserLamp");
+        assertThat(run.out()).contains("does not compile with this leJOS API")
+                .contains("Show.java:1: error: cannot find symbol").contains("class LaserLamp");
     }
 
-    @Test void whatIsNoProgramIsRefused() throws IOException {
+    @Test
+    void whatIsNoProgramIsRefused() throws IOException {
         assertThat(CommandLineRun.of("check", folder.resolve("nothing.jar")).status()).isEqualTo(2);
         Path broken = Files.writeString(folder.resolve("Broken.java"), "class Broken {");
         assertThat(CommandLineRun.of("check", broken).status()).isEqualTo(2);

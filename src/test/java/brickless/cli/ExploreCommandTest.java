@@ -67,7 +67,8 @@ class ExploreCommandTest {
         return CommandLineRun.of(words.toArray());
     }
 
-    @Test void aLockOrderDeadlockIsFoundAndReplayed() throws IOException {
+    @Test
+    void aLockOrderDeadlockIsFoundAndReplayed() throws IOException {
         Path program = program("LockOrder", LOCK_ORDER);
         assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status())
                 .as("round-robin does not show it").isZero();
@@ -78,7 +79,8 @@ class ExploreCommandTest {
         assertThat(again(found.out()).lastLine()).contains("\"outcome\":\"deadlock\"");
     }
 
-    @Test void aLostUpdateIsFoundAndReplayed() throws IOException {
+    @Test
+    void aLostUpdateIsFoundAndReplayed() throws IOException {
         Path program = program("LostUpdate", LOST_UPDATE);
         assertThat(CommandLineRun.of("run", program, "--out", folder.resolve("plain")).status())
                 .as("round-robin does not show it").isZero();
@@ -88,7 +90,8 @@ class ExploreCommandTest {
         assertThat(again(found.out()).lastLine()).contains("\"outcome\":\"failed\"").contains("counted ");
     }
 
-    @Test void aSoundProgramPassesAllSchedules() throws IOException {
+    @Test
+    void aSoundProgramPassesAllSchedules() throws IOException {
         Path program = program("Sound", LOST_UPDATE.replace("LostUpdate", "Sound").replace("write(read() + 1);",
                 "synchronized (lock) { write(read() + 1); }"));
         CommandLineRun run = CommandLineRun.of("explore", program, "--schedules", 40);

@@ -29,7 +29,8 @@ class LibraryPageTest {
     }
 
     /** One test per command; the line it stands in says so if its exit status is to be 1. */
-    @TestFactory Stream<DynamicTest> everyCommandSucceedsOrFailsAsThePageSays() throws IOException {
+    @TestFactory
+    Stream<DynamicTest> everyCommandSucceedsOrFailsAsThePageSays() throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
         for (String line : page().lines().toList()) {
             for (String part : line.split("(?<=`)<br>and ")) {
@@ -47,7 +48,8 @@ class LibraryPageTest {
 
     private void exits(String command, int status) {
         List<Object> words = new ArrayList<>(List.of("run"));
-        Arrays.stream(command.split(" ")).map(word -> word.startsWith("sim/") ? HOME.resolve(word).toString() : word).forEach(words::add);
+        Arrays.stream(command.split(" ")).map(word -> word.startsWith("sim/") ? HOME.resolve(word).toString() : word)
+                .forEach(words::add);
         words.addAll(List.of("--out", folder.resolve("out")));
         CommandLineRun run = CommandLineRun.of(words.toArray());
         assertThat(run.status()).as(run.out() + run.err()).isEqualTo(status);
@@ -55,12 +57,16 @@ class LibraryPageTest {
         assertThat(folder.resolve("out/path.svg")).isRegularFile();
     }
 
-    @Test void everyWorldAndRobotIsShown() throws IOException {
+    @Test
+    void everyWorldAndRobotIsShown() throws IOException {
         String page = page();
-        Stream.concat(Library.WORLDS.stream().map(name -> "worlds/" + name), Library.ROBOTS.stream().map(name -> "robots/" + name)).forEach(name -> {
+        Stream<String> worlds = Library.WORLDS.stream().map(name -> "worlds/" + name);
+        Stream<String> robots = Library.ROBOTS.stream().map(name -> "robots/" + name);
+        Stream.concat(worlds, robots).forEach(name -> {
             assertThat(page).contains("](images/" + name + ".png)");
             assertThat(HOME.resolve("sim/docs/images/" + name + ".png")).isRegularFile();
         });
-        Library.WORLDS.forEach(name -> assertThat(page).containsPattern("`brickless run [^`]*--world " + name + "[ `]|" + name + "\\*\\* \\(the default\\)"));
+        Library.WORLDS.forEach(name -> assertThat(page)
+                .containsPattern("`brickless run [^`]*--world " + name + "[ `]|" + name + "\\*\\* \\(the default\\)"));
     }
 }

@@ -78,62 +78,74 @@ class ProgramFormsTest {
         return jar;
     }
 
-    @Test void sourceFileInItsPackageWithSiblings() throws IOException {
+    @Test
+    void sourceFileInItsPackageWithSiblings() throws IOException {
         classes();
         assertThat(printed(folder.resolve("src/fleet/Scout.java"))).isEqualTo("scout1");
     }
 
-    @Test void directoryOfSources() throws IOException {
+    @Test
+    void directoryOfSources() throws IOException {
         classes();
         assertThat(printed(folder.resolve("src"))).isEqualTo("scout1");
     }
 
-    @Test void directoryOfClasses() throws IOException {
+    @Test
+    void directoryOfClasses() throws IOException {
         assertThat(printed(classes())).isEqualTo("scout1");
     }
 
-    @Test void classFile() throws IOException {
+    @Test
+    void classFile() throws IOException {
         assertThat(printed(classes().resolve("fleet/Scout.class"))).isEqualTo("scout1");
     }
 
-    @Test void classNameOnAClassPath() throws IOException {
+    @Test
+    void classNameOnAClassPath() throws IOException {
         assertThat(printed("fleet.Scout", "--classpath", classes())).isEqualTo("scout1");
     }
 
-    @Test void jarWithMainClass() throws IOException {
+    @Test
+    void jarWithMainClass() throws IOException {
         assertThat(printed(jar("fleet.Scout"))).isEqualTo("scout1");
     }
 
-    @Test void jarWithoutMainClass() throws IOException {
+    @Test
+    void jarWithoutMainClass() throws IOException {
         assertThat(printed(jar(null))).isEqualTo("scout1");
     }
 
-    @Test void librariesFromTheClassPath() throws IOException {
+    @Test
+    void librariesFromTheClassPath() throws IOException {
         Path user = write("User.java", "import fleet.Scout;\npublic class User { public static void main(String[] a) "
                 + "{ Scout.main(a); } }");
         assertThat(printed(user, "--classpath", jar(null))).isEqualTo("scout1");
     }
 
-    @Test void oneOfSeveralMains() throws IOException {
+    @Test
+    void oneOfSeveralMains() throws IOException {
         write("two/One.java", "class One { public static void main(String[] a) { System.out.println(1); } }");
         write("two/Two.java", "class Two { public static void main(String[] a) { System.out.println(2); } }");
         assertThat(printed(folder.resolve("two"), "--main", "Two")).isEqualTo("2");
         assertThat(printed(folder.resolve("two/One.java"))).isEqualTo("1");
     }
 
-    @Test void sourceInLatin1WithUmlauts() throws IOException {
+    @Test
+    void sourceInLatin1WithUmlauts() throws IOException {
         Path file = write("Gruss.java", "// f\u00fcr alle\npublic class Gruss { public static void main(String[] a) { "
                 + "System.out.println(\"Gr\u00fc\u00dfe\"); } }",
                 StandardCharsets.ISO_8859_1);
         assertThat(printed(file)).isEqualTo("Gr\u00fc\u00dfe");
     }
 
-    @Test void sourceWithByteOrderMark() throws IOException {
+    @Test
+    void sourceWithByteOrderMark() throws IOException {
         assertThat(printed(write("Marked.java", "\uFEFFclass Marked { public static void main(String[] a) { "
                 + "System.out.println(\"\u00e4\"); } }"))).isEqualTo("\u00e4");
     }
 
-    @Test void sourceForJava17() throws IOException {
+    @Test
+    void sourceForJava17() throws IOException {
         assertThat(printed(write("Modern.java", """
                 import java.util.List;
                 public class Modern {
@@ -148,7 +160,8 @@ class ProgramFormsTest {
                 """))).isEqualTo("seven Leg[cm=3]");
     }
 
-    @Test void sourceForJava8WithYieldAsAMethod() throws IOException {
+    @Test
+    void sourceForJava8WithYieldAsAMethod() throws IOException {
         assertThat(printed(write("Old.java", """
                 public class Old extends Thread {
                     int turns;
@@ -161,11 +174,13 @@ class ProgramFormsTest {
                 """))).isEqualTo("turns 3");
     }
 
-    @Test void classOfTheApplication() {
+    @Test
+    void classOfTheApplication() {
         assertThat(printed("programs.passing.text.Numbers")).isNotEmpty();
     }
 
-    @Test void mainOfASuperclass() throws IOException {
+    @Test
+    void mainOfASuperclass() throws IOException {
         write("inherit/Base.java", "class Base { public static void main(String[] a) { System.out.println(\"base\"); "
                 + "} }");
         Path derived = write("inherit/Derived.java", "public class Derived extends Base { }");

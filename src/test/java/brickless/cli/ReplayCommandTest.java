@@ -16,18 +16,21 @@ class ReplayCommandTest {
 
     private Path run() {
         Path run = folder.resolve("run");
-        assertThat(CommandLineRun.of("run", CommandLineRun.program("square/Square.java"), "--for", "1s", "--out", run).status()).isZero();
+        assertThat(CommandLineRun.of("run", CommandLineRun.program("square/Square.java"), "--for", "1s", "--out", run)
+                .status()).isZero();
         return run;
     }
 
-    @Test void theAddressOfTheReportIsPrinted() {
+    @Test
+    void theAddressOfTheReportIsPrinted() {
         Path run = run();
         CommandLineRun replay = CommandLineRun.of("replay", run, "--print-path");
         assertThat(replay.out().strip()).isEqualTo(run.resolve("report.html").toUri().toString());
         assertThat(replay.status()).isZero();
     }
 
-    @Test void aMissingReportIsMadeAgain() throws IOException {
+    @Test
+    void aMissingReportIsMadeAgain() throws IOException {
         Path run = run();
         byte[] first = Files.readAllBytes(run.resolve("report.html"));
         Files.delete(run.resolve("report.html"));
@@ -35,7 +38,8 @@ class ReplayCommandTest {
         assertThat(run.resolve("report.html")).hasBinaryContent(first);
     }
 
-    @Test void aFolderThatIsNoRunIsRefused() throws IOException {
+    @Test
+    void aFolderThatIsNoRunIsRefused() throws IOException {
         assertRefused(folder.resolve("nowhere"), "nowhere: no such folder");
         assertRefused(Files.createFile(folder.resolve("file")), "file: is no folder");
         assertRefused(folder, "is not the folder of a run: it holds no trace.jsonl");
@@ -43,16 +47,19 @@ class ReplayCommandTest {
         assertRefused(folder, "the run that was writing it did not end");
     }
 
-    @Test void aTraceThatIsCutOffIsRefusedWithItsLine() throws IOException {
+    @Test
+    void aTraceThatIsCutOffIsRefusedWithItsLine() throws IOException {
         Path run = run();
         Files.delete(run.resolve("report.html"));
         byte[] trace = Files.readAllBytes(run.resolve("trace.jsonl"));
-        Files.write(run.resolve("trace.jsonl"), Arrays.copyOf(trace, trace.length - 5), StandardOpenOption.TRUNCATE_EXISTING);
+        Files.write(run.resolve("trace.jsonl"), Arrays.copyOf(trace, trace.length - 5),
+                StandardOpenOption.TRUNCATE_EXISTING);
         assertRefused(run, ": cut off in the middle of a line");
         assertThat(run.resolve("report.html")).doesNotExist();
     }
 
-    @Test void aRunWithoutItsDrawingsIsRefused() throws IOException {
+    @Test
+    void aRunWithoutItsDrawingsIsRefused() throws IOException {
         Path run = run();
         Files.delete(run.resolve("report.html"));
         Files.delete(run.resolve("robot.svg"));

@@ -45,7 +45,8 @@ class RunCommandTest {
         return fields;
     }
 
-    @Test void theJsonLineHasAllFields() throws IOException {
+    @Test
+    void theJsonLineHasAllFields() throws IOException {
         CommandLineRun run = run(source("Short", "System.out.println(\"hello\"); Delay.msDelay(100);"), "--json");
         assertThat(run.status()).as(run.err()).isZero();
         String number = "VALUE_NUMBER_(INT|FLOAT)";
@@ -69,7 +70,8 @@ class RunCommandTest {
         assertThat(run.out().lines()).first().isEqualTo("hello");
     }
 
-    @Test void theFolderHoldsTheFilesAndTheSummaryIsTheJsonLine() throws IOException {
+    @Test
+    void theFolderHoldsTheFilesAndTheSummaryIsTheJsonLine() throws IOException {
         CommandLineRun run = run(source("Short", "System.out.println(\"hello\");"), "--json");
         Path out = folder.resolve("out");
         for (String name : new String[] {"summary.json", "trace.jsonl", "signals.csv", "path.svg", "screen.png",
@@ -81,21 +83,24 @@ class RunCommandTest {
         assertThat(out).isDirectoryNotContaining("glob:**.part");
     }
 
-    @Test void theConsoleFileHoldsExactlyWhatWasPrinted() throws IOException {
+    @Test
+    void theConsoleFileHoldsExactlyWhatWasPrinted() throws IOException {
         run(source("Printer", "System.out.print(\"a\\tb\\u00e4\"); System.err.print(\"!\"); System.out.println(); "
                 + "System.out.printf(\"%d%%\", 7);"));
         assertThat(Files.readAllBytes(folder.resolve("out/console.txt")))
                 .isEqualTo("a\tb\u00e4!\n7%".getBytes(StandardCharsets.UTF_8));
     }
 
-    @Test void theHashIsTheOneOfTheTraceFile() throws Exception {
+    @Test
+    void theHashIsTheOneOfTheTraceFile() throws Exception {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"), "--json");
         byte[] digest = MessageDigest.getInstance("SHA-256")
                 .digest(Files.readAllBytes(folder.resolve("out/trace.jsonl")));
         assertThat(run.lastLine()).contains("\"traceHash\":\"" + HexFormat.of().formatHex(digest) + "\"");
     }
 
-    @Test void theDefaultFolderIsNamedAfterTheMainClass() throws IOException {
+    @Test
+    void theDefaultFolderIsNamedAfterTheMainClass() throws IOException {
         Path program = source("Defaults", "");
         CommandLineRun run = CommandLineRun.of("run", program);
         assertThat(run.status()).as(run.err()).isZero();
@@ -103,7 +108,8 @@ class RunCommandTest {
         assertThat(Path.of("build", "simulations", "Defaults", "summary.json")).isNotEmptyFile();
     }
 
-    @Test void anExceptionIsToldInTheProgramsOwnLinesAndTime() throws IOException {
+    @Test
+    void anExceptionIsToldInTheProgramsOwnLinesAndTime() throws IOException {
         CommandLineRun run = run(source("Thrower", "Delay.msDelay(2000);\nint[] none = new int[0];\n"
                 + "System.out.println(none[3]);"), "--json");
         assertThat(run.status()).isEqualTo(1);
@@ -116,7 +122,8 @@ class RunCommandTest {
                 .contains("\"error\":\"Exception in thread");
     }
 
-    @Test void otherThreadsGoOnAfterAnException() throws IOException {
+    @Test
+    void otherThreadsGoOnAfterAnException() throws IOException {
         CommandLineRun run = run(source("Goes", "new Thread(() -> { Delay.msDelay(3000); System.out.println(\"still "
                 + "here\"); }).start();\n"
                 + "throw new IllegalStateException(\"main is gone\");"), "--json");
@@ -125,13 +132,15 @@ class RunCommandTest {
         assertThat(run.lastLine()).contains("\"outcome\":\"failed\"");
     }
 
-    @Test void anExitStatusOtherThanZeroIsAFailure() throws IOException {
+    @Test
+    void anExitStatusOtherThanZeroIsAFailure() throws IOException {
         CommandLineRun run = run(source("Exits", "System.exit(3);"), "--json");
         assertThat(run.status()).isEqualTo(1);
         assertThat(run.lastLine()).contains("\"outcome\":\"exited\",\"exitStatus\":3");
     }
 
-    @Test void aDeadlockIsToldWithItsThreads() throws IOException {
+    @Test
+    void aDeadlockIsToldWithItsThreads() throws IOException {
         CommandLineRun run = run(source("Locked", "final Object never = new Object();\nsynchronized (never) { "
                 + "never.wait(); }"), "--json");
         assertThat(run.status()).isEqualTo(1);
@@ -139,19 +148,22 @@ class RunCommandTest {
         assertThat(run.err()).contains("\"main\" WAITING").contains("Locked.java:6");
     }
 
-    @Test void anEndlessLoopEndsAtTheTimeLimit() throws IOException {
+    @Test
+    void anEndlessLoopEndsAtTheTimeLimit() throws IOException {
         CommandLineRun run = run(source("Endless", "while (true) { }"), "--for", "2s", "--json");
         assertThat(run.status()).isZero();
         assertThat(run.lastLine()).contains("\"outcome\":\"time-limit\",\"exitStatus\":null,\"simulatedSeconds\":2,");
     }
 
-    @Test void aMissedGoalIsAFailure() throws IOException {
+    @Test
+    void aMissedGoalIsAFailure() throws IOException {
         CommandLineRun run = run(source("Idle", "Delay.msDelay(500);"), "--until", "zone:goal", "--json");
         assertThat(run.status()).isEqualTo(1);
         assertThat(run.lastLine()).contains("\"outcome\":\"exited\"").contains("\"zones\":[]");
     }
 
-    @Test void aReachedGoalEndsTheRun() throws IOException {
+    @Test
+    void aReachedGoalEndsTheRun() throws IOException {
         Path world = Files.writeString(folder.resolve("w.svg"),
                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 3000 1000'>"
                 + "<rect data-zone='far' x='1000' y='0' width='500' height='1000'/><g data-robot='robot' "
@@ -163,13 +175,15 @@ class RunCommandTest {
                 .contains("\"xMetres\":1.00");
     }
 
-    @Test void exitAsGoalIsMissedAtTheTimeLimit() throws IOException {
+    @Test
+    void exitAsGoalIsMissedAtTheTimeLimit() throws IOException {
         Path sleeper = source("Sleeper", "Delay.msDelay(5000);");
         assertThat(run(sleeper, "--until", "exit", "--for", "1s").status()).isEqualTo(1);
         assertThat(run(sleeper, "--until", "exit", "--for", "10s").status()).isZero();
     }
 
-    @Test void keysAreOnlyPressedIfAllowed() throws IOException {
+    @Test
+    void keysAreOnlyPressedIfAllowed() throws IOException {
         Path waits = source("Waits", "Button.waitForAnyPress();");
         CommandLineRun pressed = run(waits);
         assertThat(pressed.status()).isZero();
@@ -179,12 +193,15 @@ class RunCommandTest {
     }
 
     @Test void aKeyThatALoopAsksForIsPressed() throws IOException {
-        CommandLineRun run = run(source("Asks", "while (Button.ENTER.isUp()) { } while (Button.DOWN.isUp()) { Delay.msDelay(1000); }"));
-        assertThat(run.out()).contains("keys pressed for the program while it waited: ENTER, DOWN (").contains("exited with status 0");
+        CommandLineRun run = run(source("Asks",
+                "while (Button.ENTER.isUp()) { } while (Button.DOWN.isUp()) { Delay.msDelay(1000); }"));
+        assertThat(run.out()).contains("keys pressed for the program while it waited: ENTER, DOWN (")
+                .contains("exited with status 0");
     }
 
     @Test void ofTwoThreadsThatWaitForKeysEachGetsSome() throws IOException {
-        Path menu = source("Menu", "Thread escape = new Thread(() -> { while (Button.waitForAnyPress() != Button.ID_ESCAPE) { } });"
+        Path menu = source("Menu", "Thread escape = new Thread(() -> {"
+                + " while (Button.waitForAnyPress() != Button.ID_ESCAPE) { } });"
                 + " escape.setDaemon(true); escape.start(); while (Button.waitForAnyPress() != Button.ID_LEFT) { }");
         assertThat(run(menu, "--until", "exit").status()).isZero();
     }
@@ -193,17 +210,20 @@ class RunCommandTest {
         for (String statement : List.of("java.awt.EventQueue.invokeLater(() -> { });", "new javax.swing.JFrame();")) {
             CommandLineRun run = run(source("Window", statement));
             assertThat(run.status()).isEqualTo(1);
-            assertThat(run.err()).contains("java.awt.HeadlessException: a brick has no windows, this part of the program is for a PC");
+            assertThat(run.err()).contains(
+                    "java.awt.HeadlessException: a brick has no windows, this part of the program is for a PC");
         }
     }
 
     @Test void theCommandThatRepeatsAFailureQuotesBlanks() throws IOException {
         Path program = Files.createDirectories(folder.resolve("my robot")).resolve("Fails.java");
-        Files.writeString(program, "class Fails { public static void main(String[] a) { throw new IllegalStateException(); } }");
+        Files.writeString(program,
+                "class Fails { public static void main(String[] a) { throw new IllegalStateException(); } }");
         assertThat(run(program).err()).contains("run it again: brickless run '" + program + "'");
     }
 
-    @Test void theSummaryTellsTheFittedRobotAndTheFolder() throws IOException {
+    @Test
+    void theSummaryTellsTheFittedRobotAndTheFolder() {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"));
         assertThat(run.out()).contains("robot fitted to the program: ", "left wheel on B (large motor, 56.0 mm)",
                 "ev3-ultrasonic on S4", "outcome    exited with status 0",

@@ -18,14 +18,16 @@ import org.junit.jupiter.api.io.TempDir;
 class SweepKilledTest {
     @TempDir Path folder;
 
-    private String[] sweep(Path out) {
-        return new String[] {"sweep", CommandLineRun.program("square/Square.java").toString(), "--seeds", "1..24", "--for", "4s", "--jobs", "2",
+    private static String[] sweep(Path out) {
+        return new String[] {"sweep", CommandLineRun.program("square/Square.java").toString(), "--seeds", "1..24",
+                "--for", "4s", "--jobs", "2",
             "--out", out.toString()};
     }
 
     private Process start(Path out) throws IOException {
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Djava.awt.headless=true", "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "brickless.cli.Main"));
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Djava.awt.headless=true",
+                        "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "brickless.cli.Main"));
         command.addAll(List.of(sweep(out)));
         return new ProcessBuilder(command).redirectOutput(folder.resolve("out.txt").toFile()).start();
     }
@@ -33,7 +35,8 @@ class SweepKilledTest {
     /** Progress is told every tenth of the way; the process is killed when the first is told. */
     private void killHalfWay(Path out) throws IOException, InterruptedException {
         Process process = start(out);
-        try (BufferedReader told = new BufferedReader(new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8))) {
+        try (BufferedReader told = new BufferedReader(
+                new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8))) {
             assertThat(told.readLine()).matches("\\d+ of 24 runs.*");
             process.destroyForcibly();
         }
@@ -46,7 +49,8 @@ class SweepKilledTest {
         }
     }
 
-    @Test void theFileEndsAsIfNothingHadHappened() throws IOException, InterruptedException {
+    @Test
+    void theFileEndsAsIfNothingHadHappened() throws IOException, InterruptedException {
         Path killed = folder.resolve("killed.jsonl");
         killHalfWay(killed);
         assertThat(lines(killed)).isBetween(2L, 23L);

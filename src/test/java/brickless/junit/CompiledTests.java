@@ -104,7 +104,8 @@ final class CompiledTests implements AutoCloseable {
         return folder.resolve("simulations");
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         loader.close();
     }
 }

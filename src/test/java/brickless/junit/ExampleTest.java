@@ -9,7 +9,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ExampleTest {
     @TempDir Path folder;
 
-    @Test void theExampleOfTheGuidePasses() throws Exception {
+    @Test
+    void theExampleOfTheGuidePasses() throws Exception {
         try (CompiledTests tests = CompiledTests.of(folder, Map.of("bumper.BumperCarTest",
                 CompiledTests.resource("BumperCarTest.java.txt")))) {
             tests.run(false, "bumper.BumperCarTest").testEvents().debug().assertStatistics(events -> events.started(2)

@@ -38,7 +38,8 @@ class GuideTest {
 
     @TempDir Path folder;
 
-    @Test void everyExampleOfTheGuidePasses() throws Exception {
+    @Test
+    void everyExampleOfTheGuidePasses() throws Exception {
         Map<String, String> sources = sources();
         assertThat(sources).hasSizeGreaterThan(5);
         try (CompiledTests tests = CompiledTests.of(folder, sources)) {

@@ -19,13 +19,15 @@ class OnTheBrickTest {
     private static CompiledTests tests;
     private static final Map<String, TestExecutionResult> RESULTS = new TreeMap<>();
 
-    @BeforeAll static void runTheCases() throws Exception {
+    @BeforeAll
+    static void runTheCases() throws Exception {
         tests = CompiledTests.of(folder, Map.of("cases.BrickCases", CompiledTests.resource("BrickCases.java.txt")));
         tests.run(true, "cases.BrickCases").testEvents().finished().stream().forEach(event -> RESULTS.put(name(event),
                 event.getRequiredPayload(TestExecutionResult.class)));
     }
 
-    @AfterAll static void closeTheCases() throws IOException {
+    @AfterAll
+    static void closeTheCases() throws IOException {
         tests.close();
     }
 
@@ -41,7 +43,8 @@ class OnTheBrickTest {
         return RESULTS.get(name).getThrowable().orElseThrow(() -> new AssertionError(name + " passed"));
     }
 
-    @Test void bodiesThatHoldPass() {
+    @Test
+    void bodiesThatHoldPass() {
         for (String name : new String[] {"timePasses", "openedBefore", "threadsOfItsOwn", "staticsAreItsOwn",
                 "staticsAreItsOwnAgain", "turns#1",
             "turns#2", "expectsAnException", "leavesAThreadBehind", "seesTheOuterInstance"}) {
@@ -50,7 +53,8 @@ class OnTheBrickTest {
         }
     }
 
-    @Test void aFailedAssertionSurfacesWithMessageAndLine() {
+    @Test
+    void aFailedAssertionSurfacesWithMessageAndLine() {
         Throwable failure = failure("failsWithItsOwnMessage");
         assertThat(failure).isInstanceOf(AssertionError.class).hasMessage("sum ==> expected: <4> but was: <5>");
         assertThat(failure.getStackTrace()).anySatisfy(frame -> {
@@ -65,12 +69,14 @@ class OnTheBrickTest {
                 + "\"")).count() + 1;
     }
 
-    @Test void anExceptionSurfacesAsItIs() {
+    @Test
+    void anExceptionSurfacesAsItIs() {
         assertThat(failure("throwsItsOwnException")).isInstanceOf(UnsupportedOperationException.class)
                 .hasMessage("not today");
     }
 
-    @Test void aFailureTellsTheSimulation() {
+    @Test
+    void aFailureTellsTheSimulation() {
         assertThat(failure("failsWithItsOwnMessage").getSuppressed()).singleElement()
                 .satisfies(story -> assertThat(story.toString())
                 .contains("simulation of cases.BrickCases in pen", "seed 1", "failsWithItsOwnMessage",
@@ -78,20 +84,24 @@ class OnTheBrickTest {
                 + " simulated seconds|after [23](\\.\\d+)? simulated seconds"));
     }
 
-    @Test void aTestThatDoesNotEndFailsAtTheLimit() {
+    @Test
+    void aTestThatDoesNotEndFailsAtTheLimit() {
         assertThat(failure("neverEnds")).isInstanceOf(AssertionError.class)
                 .hasMessageContaining("did not end within 20 simulated seconds");
     }
 
-    @Test void aTestThatExitsFails() {
+    @Test
+    void aTestThatExitsFails() {
         assertThat(failure("exits")).hasMessageContaining("ended the program with status 3");
     }
 
-    @Test void aTestThatLocksUpFailsWithADump() {
+    @Test
+    void aTestThatLocksUpFailsWithADump() {
         assertThat(failure("locksUp")).hasMessageContaining("deadlock").hasMessageContaining("\"main\"");
     }
 
-    @Test void aTestOnTheBrickCannotHoldTheSimulation() {
+    @Test
+    void aTestOnTheBrickCannotHoldTheSimulation() {
         assertThat(failure("wantsTheSimulation")).hasMessageContaining("is inside the simulation and cannot hold it");
     }
 }

@@ -25,14 +25,16 @@ class SimulatedTest {
     private static EngineExecutionResults results;
     private static final Map<String, TestExecutionResult> RESULTS = new TreeMap<>();
 
-    @BeforeAll static void runTheCases() throws Exception {
+    @BeforeAll
+    static void runTheCases() throws Exception {
         tests = CompiledTests.of(folder, Map.of("cases.RunCases", CompiledTests.resource("RunCases.java.txt")));
         results = tests.run(true, "cases.RunCases");
         results.allEvents().finished().stream().forEach(event -> RESULTS.put(name(event),
                 event.getRequiredPayload(TestExecutionResult.class)));
     }
 
-    @AfterAll static void closeTheCases() throws IOException {
+    @AfterAll
+    static void closeTheCases() throws IOException {
         tests.close();
     }
 
@@ -48,7 +50,8 @@ class SimulatedTest {
         return RESULTS.get(name).getThrowable().orElseThrow(() -> new AssertionError(name + " passed"));
     }
 
-    @Test void testsThatHoldPass() {
+    @Test
+    void testsThatHoldPass() {
         for (String name : new String[] {"oneSimulationPerTest", "methodBeforeClass", "inlineWorld", "inlineRobot",
                 "seeds#1", "seeds#2", "seeds#3",
             "seeds#4", "seedByParameter#1", "seedByParameter#2", "severalRuns", "activeBehaviour"}) {
@@ -57,12 +60,14 @@ class SimulatedTest {
         }
     }
 
-    @Test void seedsAreInTheNamesOfInvocations() {
+    @Test
+    void seedsAreInTheNamesOfInvocations() {
         assertThat(results.testEvents().started().map(event -> event.getTestDescriptor().getDisplayName()))
                 .contains("seed 1", "seed 7");
     }
 
-    @Test void aFailingTestTellsOutcomeTimeSeedFolderAndReplay() {
+    @Test
+    void aFailingTestTellsOutcomeTimeSeedFolderAndReplay() {
         Throwable failure = failure("failsWhileRunning");
         assertThat(failure).isInstanceOf(AssertionError.class).hasMessageContaining("nothing of the kind");
         Path trace = tests.runs().resolve("cases.RunCases.failsWhileRunning");
@@ -74,7 +79,8 @@ class SimulatedTest {
         assertThat(trace.resolve("trace.jsonl")).isNotEmptyFile();
     }
 
-    @Test void everyRunHasItsOwnFolder() throws IOException {
+    @Test
+    void everyRunHasItsOwnFolder() throws IOException {
         try (Stream<Path> folders = Files.list(tests.runs())) {
             assertThat(new TreeSet<>(folders.map(path -> path.getFileName().toString()).toList()))
                     .contains("cases.RunCases.severalRuns",
@@ -86,42 +92,48 @@ class SimulatedTest {
         }
     }
 
-    @Test void oneAfterTheOtherTheRunsAreTheSame(@TempDir Path other) throws Exception {
+    @Test
+    void oneAfterTheOtherTheRunsAreTheSame(@TempDir Path other) throws Exception {
         try (CompiledTests alone = CompiledTests.of(other, Map.of("cases.RunCases",
                 CompiledTests.resource("RunCases.java.txt")))) {
             alone.run(false, "cases.RunCases");
-            for (String run : List.of("methodBeforeClass", "inlineWorld", "severalRuns-2", "expectsInVain", "expectsAlways",
-                    "expectsNever")) {
+            for (String run : List.of("methodBeforeClass", "inlineWorld", "severalRuns-2", "expectsInVain",
+                    "expectsAlways", "expectsNever")) {
                 Path trace = Path.of("cases.RunCases." + run, "trace.jsonl");
                 assertThat(alone.runs().resolve(trace)).as(run).hasSameBinaryContentAs(tests.runs().resolve(trace));
             }
         }
     }
 
-    @Test void anExpectationInVainTellsTimeAndValue() {
+    @Test
+    void anExpectationInVainTellsTimeAndValue() {
         assertThat(failure("expectsInVain").getMessage())
                 .matches("(?s)\\nExpecting x in metres\\n  eventually: be beyond 1\\.9\\n"
                 + "  within 2 simulated seconds from 0 s on\\nbut at 2 simulated seconds it was\\n  \\d\\.\\d+\\n"
                 + "seen on the way: smallest 0\\.3\\d* at 0 s, largest \\d\\.\\d+ at [\\d.]+ s");
     }
 
-    @Test void anExpectationThatBreaksTellsWhen() {
+    @Test
+    void anExpectationThatBreaksTellsWhen() {
         assertThat(failure("expectsAlways").getMessage())
                 .matches("(?s)\\nExpecting way in metres\\n  always: stay below 0\\.3\\n"
                 + "but at \\d\\.\\d+ simulated seconds it was\\n  0\\.30\\d*\\n.*");
     }
 
-    @Test void whatNeverMayHappenIsToldWhenItDoes() {
+    @Test
+    void whatNeverMayHappenIsToldWhenItDoes() {
         assertThat(failure("expectsNever").getMessage())
                 .matches("(?s)\\nExpecting the run\\n  never: turns away from a wall\\n"
                 + "  within 20 simulated seconds from 0 s on\\nbut at \\d+(\\.\\d+)? simulated seconds it did");
     }
 
-    @Test void anUnknownWorldIsToldInOneLine() {
+    @Test
+    void anUnknownWorldIsToldInOneLine() {
         assertThat(failure("unknownWorld").getMessage()).contains("no-such-world: no such world");
     }
 
-    @Test void seedsOutOfOrderAreRefused() {
+    @Test
+    void seedsOutOfOrderAreRefused() {
         assertThat(failure("badSeeds")).hasMessageContaining("'5..1' is empty");
     }
 }

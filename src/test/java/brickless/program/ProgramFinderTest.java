@@ -24,7 +24,8 @@ class ProgramFinderTest {
     }
 
 
-    @Test void closingAProgramRemovesWhatWasCompiled() throws Exception {
+    @Test
+    void closingAProgramRemovesWhatWasCompiled() throws Exception {
         Files.writeString(folder.resolve("Idle.java"), "class Idle { public static void main(String[] a) { } }");
         Path classes;
         try (Program program = find("Idle.java")) {
@@ -35,7 +36,8 @@ class ProgramFinderTest {
         assertThat(classes).doesNotExist();
     }
 
-    @Test void theMainClassOfASourceIsItsOwnEvenBesideOthers() throws Exception {
+    @Test
+    void theMainClassOfASourceIsItsOwnEvenBesideOthers() throws Exception {
         Files.createDirectories(folder.resolve("src/a/b"));
         Files.writeString(folder.resolve("src/a/b/Two.java"),
                 "package a.b; public class Two { public static void main(String[] a) { One.main(a); } }");
@@ -47,7 +49,8 @@ class ProgramFinderTest {
         }
     }
 
-    @Test void compilersMessagesAreLimitedAndInOrder() throws IOException {
+    @Test
+    void compilersMessagesAreLimitedAndInOrder() throws IOException {
         StringBuilder source = new StringBuilder("class Broken {\n");
         for (int i = 0; i < 15; i++) {
             source.append("    int field").append(i).append(" = missing").append(i).append(";\n");

@@ -12,14 +12,16 @@ class BehaviourChangesTest {
     private final BehaviourChanges changes = new BehaviourChanges((time, behaviour) -> written.add(time / MILLI + ":"
             + behaviour));
 
-    @Test void everyOtherBehaviourIsWrittenAtOnce() {
+    @Test
+    void everyOtherBehaviourIsWrittenAtOnce() {
         changes.set(1 * MILLI, 0);
         changes.set(2 * MILLI, 2);
         changes.set(3 * MILLI, 0);
         assertThat(written).containsExactly("1:0", "2:2", "3:0");
     }
 
-    @Test void anActionStartedAgainAndAgainIsWrittenOnce() {
+    @Test
+    void anActionStartedAgainAndAgainIsWrittenOnce() {
         for (int i = 0; i < 100; i++) {
             changes.set(2 * i * MILLI, 1);
             changes.set((2 * i + 1) * MILLI, -1);
@@ -28,7 +30,8 @@ class BehaviourChangesTest {
         assertThat(written).containsExactly("0:1");
     }
 
-    @Test void noneIsWrittenWhenItLasts() {
+    @Test
+    void noneIsWrittenWhenItLasts() {
         changes.set(0, 1);
         changes.set(10 * MILLI, -1);
         changes.step(29 * MILLI);
@@ -38,7 +41,8 @@ class BehaviourChangesTest {
         assertThat(written).containsExactly("0:1", "30:-1");
     }
 
-    @Test void noneRepeatedDoesNotBeginAnew() {
+    @Test
+    void noneRepeatedDoesNotBeginAnew() {
         changes.set(0, 1);
         changes.set(10 * MILLI, -1);
         changes.set(25 * MILLI, -1);

@@ -27,14 +27,16 @@ class DeterminismTest {
     private static ExamplePrograms programs;
     private static final Map<String, String> HASHES = new TreeMap<>();
 
-    @BeforeAll static void runEveryProgramOnce() throws ProgramException, DescriptionException {
+    @BeforeAll
+    static void runEveryProgramOnce() throws ProgramException, DescriptionException {
         programs = ExamplePrograms.compiled();
         for (String main : ExamplePrograms.MAINS) {
             HASHES.put(main, hash(main, settings(main)));
         }
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -57,15 +59,21 @@ class DeterminismTest {
         return run.report();
     }
 
-    @ParameterizedTest @MethodSource("mains") void sameRunTwice(String main) throws DescriptionException {
+    @ParameterizedTest
+    @MethodSource("mains")
+    void sameRunTwice(String main) throws DescriptionException {
         assertThat(hash(main, settings(main))).isEqualTo(HASHES.get(main));
     }
 
-    @ParameterizedTest @MethodSource("mains") void anotherSeedIsAnotherRun(String main) throws DescriptionException {
+    @ParameterizedTest
+    @MethodSource("mains")
+    void anotherSeedIsAnotherRun(String main) throws DescriptionException {
         assertThat(hash(main, settings(main).seed(2))).isNotEqualTo(HASHES.get(main));
     }
 
-    @ParameterizedTest @MethodSource("mains") void theOtherBackendIsTheSameRun(String main)
+    @ParameterizedTest
+    @MethodSource("mains")
+    void theOtherBackendIsTheSameRun(String main)
             throws DescriptionException {
         SimulationSettings.Builder settings = settings(main).backend(BackendChoice.CONTINUATIONS);
         if (BackendChoice.continuationsAvailable()) {
@@ -78,7 +86,8 @@ class DeterminismTest {
         }
     }
 
-    @Test void heldEveryTenMillisecondsIsTheSameRun() throws DescriptionException {
+    @Test
+    void heldEveryTenMillisecondsIsTheSameRun() throws DescriptionException {
         String main = "explorer.Explorer";
         Run run = new Simulation(settings(main).build()).start(programs.program(main));
         while (!run.ended()) {
@@ -87,13 +96,15 @@ class DeterminismTest {
         assertThat(run.report().traceHash()).isEqualTo(HASHES.get(main));
     }
 
-    @Test void aScheduleSeedIsRepeatable() throws DescriptionException {
+    @Test
+    void aScheduleSeedIsRepeatable() throws DescriptionException {
         String first = scheduled(7).traceHash();
         assertThat(scheduled(7).traceHash()).isEqualTo(first);
         assertThat(scheduled(8).traceHash()).isNotEqualTo(first);
     }
 
-    @Test void noScheduleMakesThreadsThatOpenPortsWaitForEachOther() throws DescriptionException {
+    @Test
+    void noScheduleMakesThreadsThatOpenPortsWaitForEachOther() throws DescriptionException {
         for (long seed = 1; seed <= 10; seed++) {
             assertThat(scheduled(seed).outcome().kind()).as("schedule seed %d", seed).isEqualTo("time-limit");
         }
@@ -105,7 +116,8 @@ class DeterminismTest {
                 .scheduleSeed(OptionalLong.of(scheduleSeed)));
     }
 
-    @Test void manyRunsAtTheSameTimeAreTheSameAsOneByOne() throws Exception {
+    @Test
+    void manyRunsAtTheSameTimeAreTheSameAsOneByOne() throws Exception {
         ExecutorService pool = Executors.newFixedThreadPool(8);
         try {
             Map<String, List<Future<String>>> running = new TreeMap<>();

@@ -8,7 +8,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class DurationsTest {
-    @Test void millisecondsSecondsAndMinutes() {
+    @Test
+    void millisecondsSecondsAndMinutes() {
         assertThat(Durations.parse("500ms")).contains(Duration.ofMillis(500));
         assertThat(Durations.parse("2.5s")).contains(Duration.ofMillis(2500));
         assertThat(Durations.parse("2m")).contains(Duration.ofMinutes(2));

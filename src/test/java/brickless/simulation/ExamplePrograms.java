@@ -16,9 +16,10 @@ import java.util.regex.Pattern;
 /** The programs of {@code sim/programs}, compiled once for a class of tests, and the traces of their runs. */
 final class ExamplePrograms implements AutoCloseable {
     /** Main classes of most programs, of each kind at least one, in alphabetical order. */
-    static final List<String> MAINS = List.of("bumper.BumperCar", "busywait.BusyWait", "detectors.RangeStop", "explorer.Explorer",
-            "linefollower.LineFollower", "localize.Localize", "sensorthreads.SensorThreads", "square.Square",
-            "thereandback.ThereAndBack", "wallstop.WallStop", "wanderer.Wanderer", "waypoints.Waypoints");
+    static final List<String> MAINS = List.of("bumper.BumperCar", "busywait.BusyWait", "detectors.RangeStop",
+            "explorer.Explorer", "linefollower.LineFollower", "localize.Localize", "sensorthreads.SensorThreads",
+            "square.Square", "thereandback.ThereAndBack", "wallstop.WallStop", "wanderer.Wanderer",
+            "waypoints.Waypoints");
 
     private final Program compiled;
 
@@ -47,7 +48,8 @@ final class ExamplePrograms implements AutoCloseable {
         return main.equals("linefollower.LineFollower") ? "line-loop" : "pen";
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         compiled.close();
     }
 

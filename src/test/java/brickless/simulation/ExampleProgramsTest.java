@@ -26,11 +26,13 @@ class ExampleProgramsTest {
     @TempDir Path folder;
     private static ExamplePrograms programs;
 
-    @BeforeAll static void compile() throws ProgramException {
+    @BeforeAll
+    static void compile() throws ProgramException {
         programs = ExamplePrograms.compiled();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -54,7 +56,7 @@ class ExampleProgramsTest {
                 + content + "</svg>");
     }
 
-    private void staysInThePen(Trace trace) {
+    private static void staysInThePen(Trace trace) {
         assertThat(Arrays.stream(trace.numbers("sample", "x")).allMatch(x -> x > 0.03 && x < 1.97))
                 .as("x of all samples inside").isTrue();
         assertThat(Arrays.stream(trace.numbers("sample", "y")).allMatch(y -> y > 0.03 && y < 1.47))
@@ -67,7 +69,8 @@ class ExampleProgramsTest {
                 .filter(number -> number >= 0).toList();
     }
 
-    @Test void theExplorerCruisesAvoidsAndBacksOff() throws DescriptionException {
+    @Test
+    void theExplorerCruisesAvoidsAndBacksOff() throws DescriptionException {
         Run run = run("explorer.Explorer", 60);
         assertThat(run.outcome().kind()).isEqualTo("time-limit");
         assertThat(run.robot().distanceMetres()).isBetween(3.0, 15.0);
@@ -86,7 +89,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().printedLines()).containsExactly("Arbitrator created");
     }
 
-    @Test void theExplorerPausesOnGreen() throws DescriptionException {
+    @Test
+    void theExplorerPausesOnGreen() throws DescriptionException {
         World green = world("<rect x='1000' y='0' width='400' height='2000' fill='#2f9e57'/><g data-robot='robot' "
                 + "transform='translate(500 1000)'/>");
         Run run = run("explorer.Explorer", SimulationSettings.builder(green).robot(educator()), 12);
@@ -101,7 +105,8 @@ class ExampleProgramsTest {
         return new Library(Path.of("no-files-here")).robot("educator");
     }
 
-    @Test void escapeEndsTheExplorer() throws DescriptionException {
+    @Test
+    void escapeEndsTheExplorer() throws DescriptionException {
         Run run = run("explorer.Explorer", ExamplePrograms.settings("pen").stimuli(stimuli("6s press ESCAPE 500ms")),
                 30);
         assertThat(run.outcome()).isEqualTo(new Outcome("exited", Optional.of(0), run.outcome().timeNanos(),
@@ -114,7 +119,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().ledPattern()).isZero();
     }
 
-    @Test void theBumperCarWaitsForAKeyAndTurnsAtWalls() throws DescriptionException {
+    @Test
+    void theBumperCarWaitsForAKeyAndTurnsAtWalls() throws DescriptionException {
         Run run = run("bumper.BumperCar", 40);
         assertThat(run.outcome().kind()).isEqualTo("time-limit");
         assertThat(run.robot().printedLines()).containsExactly("Press any key", "Arbitrator created");
@@ -127,7 +133,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().distanceMetres()).isGreaterThan(2);
     }
 
-    @Test void aKeyEndsTheBumperCarWhileItIsAsked() throws DescriptionException {
+    @Test
+    void aKeyEndsTheBumperCarWhileItIsAsked() throws DescriptionException {
         Run run = run("bumper.BumperCar", ExamplePrograms.settings("pen")
                 .stimuli(stimuli("500ms press ENTER 200ms\n5s press LEFT 1500ms")), 20);
         assertThat(run.outcome().kind()).isEqualTo("exited");
@@ -135,7 +142,8 @@ class ExampleProgramsTest {
         assertThat(Trace.in(folder).of("key").toString()).doesNotContain("\"auto\"");
     }
 
-    @Test void theWandererTurnsWithoutLoopsInItsActions() throws DescriptionException {
+    @Test
+    void theWandererTurnsWithoutLoopsInItsActions() throws DescriptionException {
         Run run = run("wanderer.Wanderer", ExamplePrograms.settings("pen").stimuli(stimuli("40s press ESCAPE 1s")), 60);
         assertThat(run.outcome().kind()).isEqualTo("exited");
         Trace trace = Trace.in(folder);
@@ -145,7 +153,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().distanceMetres()).isGreaterThan(2);
     }
 
-    @Test void busyWaitingComesBackToTheStart() throws DescriptionException {
+    @Test
+    void busyWaitingComesBackToTheStart() throws DescriptionException {
         Run run = run("busywait.BusyWait", 20);
         assertThat(run.outcome().exitStatus()).contains(0);
         assertThat(run.time()).as("four turns of the wheels at a turn per second").isBetween(Duration.ofSeconds(4),
@@ -160,7 +169,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().xMetres()).isCloseTo(0.33, within(0.01));
     }
 
-    @Test void theWallIsNotHit() throws DescriptionException {
+    @Test
+    void theWallIsNotHit() throws DescriptionException {
         World walled = world("<rect data-solid='fixed' data-height-mm='200' x='2000' y='0' width='100' height='2000'/>"
                 + "<g data-robot='robot' transform='translate(500 1000)'/>");
         Run run = run("wallstop.WallStop", SimulationSettings.builder(walled).robot(educator()), 20);
@@ -172,7 +182,8 @@ class ExampleProgramsTest {
         assertThat(Trace.in(folder).of("sound")).isNotEmpty();
     }
 
-    @Test void sensorThreadsShareWhatTheyMeasure() throws DescriptionException {
+    @Test
+    void sensorThreadsShareWhatTheyMeasure() throws DescriptionException {
         Run run = run("sensorthreads.SensorThreads", 60);
         assertThat(run.outcome().exitStatus()).contains(0);
         assertThat(run.robot().printedLines()).containsExactly("legs 4");
@@ -180,7 +191,8 @@ class ExampleProgramsTest {
         staysInThePen(Trace.in(folder));
     }
 
-    @Test void theSquareEndsWhereItBegan() throws DescriptionException {
+    @Test
+    void theSquareEndsWhereItBegan() throws DescriptionException {
         World open = world("<g data-robot='robot' transform='translate(1000 1000)'/>");
         Run run = run("square.Square", SimulationSettings.builder(open).robot(educator()).ideal(true), 60);
         assertThat(run.outcome().exitStatus()).contains(0);
@@ -191,7 +203,8 @@ class ExampleProgramsTest {
         assertThat(run.robot().screenText()).contains("side 4").containsPattern("\\d\\d s");
     }
 
-    @Test void theLineIsFollowedAllAround() throws DescriptionException {
+    @Test
+    void theLineIsFollowedAllAround() throws DescriptionException {
         Run run = run("linefollower.LineFollower", 90);
         assertThat(run.outcome().kind()).isEqualTo("time-limit");
         Trace trace = Trace.in(folder);

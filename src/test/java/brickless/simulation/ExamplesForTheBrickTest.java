@@ -17,7 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The example programs, and those of the tests, are for a real brick: they need only Java 8 and the published leJOS. */
+/**
+ * The example programs, and those of the tests, are for a real brick: they need only Java 8 and the published leJOS.
+ */
 class ExamplesForTheBrickTest {
     @ParameterizedTest
     @CsvSource({"sim/programs, 15", "src/test/java/kit, 20", "src/test/java/programs/students, 14"})
@@ -26,9 +28,12 @@ class ExamplesForTheBrickTest {
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
                 Stream<Path> sources = Files.walk(Path.of(System.getProperty("brickless.home"), folder))) {
-            List<File> programs = sources.filter(file -> file.toString().endsWith(".java")).sorted().map(Path::toFile).toList();
-            List<String> options = List.of("--release", "8", "-Xlint:-options", "-nowarn", "-cp", OriginalJar.path().toString(), "-d", classes.toString());
-            boolean compiled = compiler.getTask(messages, files, null, options, null, files.getJavaFileObjectsFromFiles(programs)).call();
+            List<File> programs = sources.filter(file -> file.toString().endsWith(".java")).sorted()
+                    .map(Path::toFile).toList();
+            List<String> options = List.of("--release", "8", "-Xlint:-options", "-nowarn", "-cp",
+                    OriginalJar.path().toString(), "-d", classes.toString());
+            boolean compiled = compiler.getTask(messages, files, null, options, null,
+                    files.getJavaFileObjectsFromFiles(programs)).call();
             assertThat(compiled).as(messages.toString()).isTrue();
             assertThat(programs).hasSizeGreaterThanOrEqualTo(atLeast);
         }

@@ -31,7 +31,8 @@ class FreshJvmTest {
     private static ExamplePrograms programs;
     private static String here;
 
-    @BeforeAll static void runHere() throws ProgramException, DescriptionException {
+    @BeforeAll
+    static void runHere() throws ProgramException, DescriptionException {
         programs = ExamplePrograms.compiled();
         Run run = new Simulation(ExamplePrograms.settings("pen").limit(Duration.ofSeconds(6)).build())
                 .start(programs.program(MAIN));
@@ -39,7 +40,8 @@ class FreshJvmTest {
         here = run.report().traceHash();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
@@ -66,20 +68,23 @@ class FreshJvmTest {
         return hash.group(1);
     }
 
-    @Test void everyInstalledJdkGivesTheSameRun() throws Exception {
+    @Test
+    void everyInstalledJdkGivesTheSameRun() throws Exception {
         for (Path home : jdks()) {
             assertThat(hashIn(home)).as("in a new JVM of %s", home).isEqualTo(here);
         }
     }
 
-    @Test void hostSettingsDoNotEnterTheRun() throws Exception {
+    @Test
+    void hostSettingsDoNotEnterTheRun() throws Exception {
         assertThat(hashIn(jdks().get(0), "-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu",
                 "-Dfile.encoding=ISO-8859-1",
                 "-Dline.separator=\r\n", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:ActiveProcessorCount=1"))
                 .isEqualTo(here);
     }
 
-    @Test void busyProcessorsDoNotEnterTheRun() throws Exception {
+    @Test
+    void busyProcessorsDoNotEnterTheRun() throws Exception {
         AtomicBoolean done = new AtomicBoolean();
         List<Thread> load = Stream.generate(() -> new Thread(() -> {
             while (!done.get()) {

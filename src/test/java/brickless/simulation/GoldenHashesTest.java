@@ -20,7 +20,8 @@ class GoldenHashesTest {
     private static final Path FILE = Path.of("src", "test", "resources", "brickless", "golden", "hashes.txt");
     private static final int SECONDS = 15;
 
-    @Test void theExamplesRunAsTheyAlwaysDid() throws Exception {
+    @Test
+    void theExamplesRunAsTheyAlwaysDid() throws Exception {
         Path file = Path.of(System.getProperty("brickless.home")).resolve(FILE);
         List<String> today = hashes();
         if (Boolean.getBoolean("brickless.updateGolden")) {

@@ -15,11 +15,12 @@ import java.util.Optional;
 import programs.robots.TwoPollers;
 
 /**
- * Processor time that kernel and program take without physics: the robot has all its devices but its world stands still. On JDK 25, at
- * most 2 ms per simulated second are wanted.
+ * Processor time that kernel and program take without physics: the robot has all its devices but its world stands
+ * still. On JDK 25, at most 2 ms per simulated second are wanted.
  */
 public final class KernelCost implements Measurement {
-    @Override public Figures measure(Effort effort) throws Exception {
+    @Override
+    public Figures measure(Effort effort) throws Exception {
         long begin = System.nanoTime();
         Figures last = round(effort.simulatedSeconds());
         while (System.nanoTime() - begin < effort.warmUpMillis() * 1_000_000) {
@@ -33,7 +34,8 @@ public final class KernelCost implements Measurement {
         SimulationSettings settings = ExamplePrograms.settings("pen").build();
         List<Crew.Member> crew = new Crew(settings, program).members();
         Stage stage = new Stage(settings, program, crew, TraceListener.NONE);
-        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L).withStepNanos(stage.stepNanos()));
+        Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L)
+                .withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
         RobotRealm realm = new RobotRealm(program, kernel, robot.brick(robot.console()), Optional.empty());
         stage.begin();
@@ -53,15 +55,18 @@ public final class KernelCost implements Measurement {
     }
 
     private static final class NeverEnding implements RobotSession.ProgramExit {
-        @Override public void exit(int status) {
+        @Override
+        public void exit(int status) {
             throw new IllegalStateException("the program must not end");
         }
 
-        @Override public void endByKeys() {
+        @Override
+        public void endByKeys() {
             throw new IllegalStateException("the program must not end");
         }
 
-        @Override public boolean over() {
+        @Override
+        public boolean over() {
             return false;
         }
     }

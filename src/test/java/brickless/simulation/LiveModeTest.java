@@ -28,14 +28,17 @@ class LiveModeTest {
     private record Ended(int status, String out, String err) {}
 
     private Ended run(Path source, String... properties) throws Exception {
-        try (Program program = new ProgramFinder(folder, List.of(), Optional.empty()).find(source.toAbsolutePath().toString())) {
-            List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        try (Program program = new ProgramFinder(folder, List.of(), Optional.empty())
+                .find(source.toAbsolutePath().toString())) {
+            List<String> command = new ArrayList<>(
+                    List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
             command.addAll(List.of(properties));
-            command.addAll(List.of("-cp", program.classPath().get(0) + File.pathSeparator + System.getProperty("java.class.path"),
-                    program.mainClass()));
+            command.addAll(List.of("-cp", program.classPath().get(0) + File.pathSeparator
+                    + System.getProperty("java.class.path"), program.mainClass()));
             Path out = folder.resolve("out.txt");
             Path err = folder.resolve("err.txt");
-            Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+            Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out.toFile())
+                    .redirectError(err.toFile()).start();
             boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
             process.destroyForcibly();
             String errors = Files.readString(err);
@@ -47,10 +50,12 @@ class LiveModeTest {
     private Path source(String name, String body) throws Exception {
         Path file = folder.resolve(name + ".java");
         return Files.writeString(file, "import lejos.hardware.motor.Motor;\npublic class " + name
-                + " {\n    public static void main(String[] args) throws Exception {\n" + body + "\n    }\n}\n", StandardCharsets.UTF_8);
+                + " {\n    public static void main(String[] args) throws Exception {\n" + body + "\n    }\n}\n",
+                StandardCharsets.UTF_8);
     }
 
-    @Test void aProgramWithBusyLoopsDrivesAndEndsAndLeavesTheFilesOfItsRun() throws Exception {
+    @Test
+    void aProgramWithBusyLoopsDrivesAndEndsAndLeavesTheFilesOfItsRun() throws Exception {
         Path files = folder.resolve("run");
         Ended ended = run(PROGRAMS.resolve("busywait/BusyWait.java"), "-Dbrickless.out=" + files);
         assertThat(ended.status()).isZero();
@@ -61,7 +66,8 @@ class LiveModeTest {
         assertThat(files).isDirectoryNotContaining("glob:**.part");
     }
 
-    @Test void theExampleOfTheDocumentationRunsAsItSays() throws Exception {
+    @Test
+    void theExampleOfTheDocumentationRunsAsItSays() throws Exception {
         String page = Files.readString(PROGRAMS.resolve("../docs/LIVE-MODE.md"));
         Path source = Files.writeString(folder.resolve("Turn.java"), fenced(page, "```java\n"));
         String[] words = fenced(page, "```\njava ").strip().split(" ");
@@ -77,30 +83,37 @@ class LiveModeTest {
         return page.substring(begin, page.indexOf("```", begin));
     }
 
-    @Test void worldRobotAndSeedComeFromSystemProperties() throws Exception {
+    @Test
+    void worldRobotAndSeedComeFromSystemProperties() throws Exception {
         Path files = folder.resolve("run");
-        Ended ended = run(source("Silent", "Motor.A.getTachoCount();"), "-Dbrickless.world=line-loop", "-Dbrickless.robot=educator",
-                "-Dbrickless.seed=42", "-Dbrickless.out=" + files);
+        Ended ended = run(source("Silent", "Motor.A.getTachoCount();"), "-Dbrickless.world=line-loop",
+                "-Dbrickless.robot=educator", "-Dbrickless.seed=42", "-Dbrickless.out=" + files);
         assertThat(ended.err()).contains("Silent in line-loop: exited after");
-        assertThat(files.resolve("summary.json")).content().contains("\"world\":\"line-loop\"").contains("\"robot\":\"educator\"")
-                .contains("\"seed\":42").contains("\"backend\":\"live\"");
+        assertThat(files.resolve("summary.json")).content().contains("\"world\":\"line-loop\"")
+                .contains("\"robot\":\"educator\"").contains("\"seed\":42").contains("\"backend\":\"live\"");
     }
 
-    @Test void anUncaughtExceptionIsPrintedAndFailsTheRun() throws Exception {
-        Ended ended = run(source("Broken", "Motor.A.getTachoCount();\nthrow new IllegalStateException(\"wheel lost\");"));
+    @Test
+    void anUncaughtExceptionIsPrintedAndFailsTheRun() throws Exception {
+        Ended ended =
+                run(source("Broken", "Motor.A.getTachoCount();\nthrow new IllegalStateException(\"wheel lost\");"));
         assertThat(ended.status()).isEqualTo(1);
         assertThat(ended.err()).contains("Exception in thread \"main\" java.lang.IllegalStateException: wheel lost")
                 .contains("at Broken.main(Broken.java:5)").contains("Broken in pen: failed");
     }
 
-    @Test void exitFromAnyThreadEndsTheRunWhileOthersUseTheBrick() throws Exception {
-        Ended ended = run(source("Leaving", "Thread poll = new Thread(() -> { while (true) { Motor.B.getTachoCount(); } });\npoll.start();\n"
-                + "Motor.B.forward();\nRuntime.getRuntime().addShutdownHook(new Thread(() -> Motor.B.stop()));\nSystem.exit(3);"));
+    @Test
+    void exitFromAnyThreadEndsTheRunWhileOthersUseTheBrick() throws Exception {
+        Ended ended = run(source("Leaving",
+                "Thread poll = new Thread(() -> { while (true) { Motor.B.getTachoCount(); } });\npoll.start();\n"
+                + "Motor.B.forward();\nRuntime.getRuntime().addShutdownHook(new Thread(() -> "
+                + "Motor.B.stop()));\nSystem.exit(3);"));
         assertThat(ended.status()).isEqualTo(3);
         assertThat(ended.err()).contains("Leaving in pen: exited");
     }
 
-    @Test void aWorldThatIsNotThereIsNamed() throws Exception {
+    @Test
+    void aWorldThatIsNotThereIsNamed() throws Exception {
         Ended ended = run(source("Lost", "Motor.A.forward();"), "-Dbrickless.world=atlantis");
         assertThat(ended.status()).isEqualTo(1);
         assertThat(ended.err()).contains("SetupException: atlantis: no such world");

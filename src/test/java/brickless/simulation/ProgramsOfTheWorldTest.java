@@ -19,13 +19,17 @@ import org.junit.jupiter.api.io.TempDir;
 class ProgramsOfTheWorldTest {
     @TempDir Path folder;
 
-    @BeforeEach void writePrograms() throws IOException {
-        write("first/FirstToLeave.java", "import lejos.hardware.motor.Motor; public class FirstToLeave { public static void main(String[] args) {"
+    @BeforeEach
+    void writePrograms() throws IOException {
+        write("first/FirstToLeave.java", "import lejos.hardware.motor.Motor; public class FirstToLeave { public static "
+                + "void main(String[] args) {"
                 + " Motor.A.rotate(360, true); Motor.D.rotate(360); System.out.println(\"first\"); } }");
-        write("second/LastToLeave.java", "import lejos.hardware.motor.Motor; import lejos.utility.Delay; public class LastToLeave {"
-                + " public static void main(String[] args) { Delay.msDelay(4000); Motor.B.rotate(360, true); Motor.C.rotate(360);"
-                + " System.out.println(\"last\"); } }");
-        write("second/Breaks.java", "public class Breaks { public static void main(String[] args) { int[] none = {}; none[1] = 0; } }");
+        write("second/LastToLeave.java",
+                "import lejos.hardware.motor.Motor; import lejos.utility.Delay; public class LastToLeave {"
+                + " public static void main(String[] args) { Delay.msDelay(4000); Motor.B.rotate(360, true); "
+                + "Motor.C.rotate(360); System.out.println(\"last\"); } }");
+        write("second/Breaks.java",
+                "public class Breaks { public static void main(String[] args) { int[] none = {}; none[1] = 0; } }");
     }
 
     private void write(String name, String text) throws IOException {
@@ -35,16 +39,19 @@ class ProgramsOfTheWorldTest {
     }
 
     private Run run(String one, String other) throws IOException, DescriptionException {
-        Path world = Files.writeString(folder.resolve("arena.svg"), "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'>"
+        Path world = Files.writeString(folder.resolve("arena.svg"),
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'>"
                 + "<g data-robot='one' data-program='" + one + "' transform='translate(500 500)'/>"
                 + "<g data-robot='other' data-program='" + other + "' transform='translate(500 1500)'/></svg>");
-        SimulationSettings settings = SimulationSettings.builder(new Library(folder).world(world.toString())).worldFile(world.toString()).build();
+        SimulationSettings settings = SimulationSettings.builder(new Library(folder).world(world.toString()))
+                .worldFile(world.toString()).build();
         Run run = new Simulation(settings).start(Program.unknown());
         run.toEnd();
         return run;
     }
 
-    @Test void eachRobotRunsItsOwnAndIsFittedToIt() throws Exception {
+    @Test
+    void eachRobotRunsItsOwnAndIsFittedToIt() throws Exception {
         Run run = run("first", "second/LastToLeave.java");
         assertThat(run.outcome().exitStatus()).contains(0);
         assertThat(run.time().toMillis()).as("the last program ends the run").isBetween(5000L, 7000L);
@@ -56,18 +63,21 @@ class ProgramsOfTheWorldTest {
                 note -> assertThat(note).contains("left wheel on B", "right wheel on C"));
     }
 
-    @Test void whatWasCompiledForThemIsRemoved() throws Exception {
+    @Test
+    void whatWasCompiledForThemIsRemoved() throws Exception {
         run("first/FirstToLeave.java", "second/LastToLeave.java");
-        assertThatThrownBy(() -> run("first/FirstToLeave.java", "second/Missing.java")).isInstanceOf(SetupException.class)
-                .hasMessageContaining("second/Missing.java: no such program");
+        assertThatThrownBy(() -> run("first/FirstToLeave.java", "second/Missing.java"))
+                .isInstanceOf(SetupException.class).hasMessageContaining("second/Missing.java: no such program");
         try (Stream<Path> left = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
             List<Path> kept = left.filter(each -> each.getFileName().toString().startsWith("brickless-classes"))
-                    .filter(each -> Files.exists(each.resolve("FirstToLeave.class")) || Files.exists(each.resolve("LastToLeave.class"))).toList();
+                    .filter(each -> Files.exists(each.resolve("FirstToLeave.class"))
+                            || Files.exists(each.resolve("LastToLeave.class"))).toList();
             assertThat(kept).isEmpty();
         }
     }
 
-    @Test void anExceptionOfOneFailsTheRunWhenAllHaveEnded() throws Exception {
+    @Test
+    void anExceptionOfOneFailsTheRunWhenAllHaveEnded() throws Exception {
         Run run = run("second/Breaks.java", "second/LastToLeave.java");
         assertThat(run.outcome().kind()).isEqualTo("failed");
         assertThat(run.outcome().error().orElseThrow()).contains("ArrayIndexOutOfBoundsException", "Breaks.java:1");

@@ -7,9 +7,12 @@ import java.util.List;
 
 /** A report open in a browser, read the way a person does: from what it shows. */
 final class ReportPage {
-    private static final String ROBOT = "document.querySelector('.layer.robot').shadowRoot.querySelector('[data-robot-name]').getAttribute('transform')";
-    private static final String PIXELS = "(() => { const c = document.querySelector('canvas.lcd'); const d = c.getContext('2d').getImageData(0, 0, 178, 128).data;"
-            + " let text = ''; for (let i = 0; i < d.length; i += 4) { text += d[i] < 100 ? '#' : '.'; } return text; })()";
+    private static final String ROBOT = "document.querySelector('.layer.robot').shadowRoot"
+            + ".querySelector('[data-robot-name]').getAttribute('transform')";
+    private static final String PIXELS = "(() => { const c = document.querySelector('canvas.lcd'); const d = "
+            + "c.getContext('2d').getImageData(0, 0, 178, 128).data;"
+            + " let text = ''; for (let i = 0; i < d.length; i += 4) { text += d[i] < 100 ? '#' : '.'; } return "
+            + "text; })()";
 
     private final Browser browser;
 
@@ -37,10 +40,12 @@ final class ReportPage {
     /** The behaviours shown as being in control. */
     @SuppressWarnings("unchecked")
     List<String> activeBehaviours() {
-        return (List<String>) browser.value("[...document.querySelectorAll('.lane[data-active=true]')].map((lane) => lane.dataset.behaviour)");
+        return (List<String>) browser.value(
+                "[...document.querySelectorAll('.lane[data-active=true]')].map((lane) => lane.dataset.behaviour)");
     }
 
     void scrubTo(double seconds) {
-        browser.run("const s = document.querySelector('.scrub'); s.value = " + seconds + "; s.dispatchEvent(new Event('input'));");
+        browser.run("const s = document.querySelector('.scrub'); s.value = " + seconds
+                + "; s.dispatchEvent(new Event('input'));");
     }
 }

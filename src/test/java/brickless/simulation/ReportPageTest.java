@@ -29,11 +29,13 @@ class ReportPageTest {
     private static Browser browser;
     private static TraceTruth truth;
 
-    @BeforeAll static void runTheExplorer() throws Exception {
+    @BeforeAll
+    static void runTheExplorer() throws Exception {
         Path home = Path.of(System.getProperty("brickless.home"));
-        SimulationSettings settings = SimulationSettings.builder(new Library(home).world("sim/worlds/pen.svg")).limit(Duration.ofSeconds(SECONDS))
-                .out(Optional.of(folder)).build();
-        try (Program program = new ProgramFinder(home, List.of(), Optional.empty()).find("sim/programs/explorer/Explorer.java");
+        SimulationSettings settings = SimulationSettings.builder(new Library(home).world("sim/worlds/pen.svg"))
+                .limit(Duration.ofSeconds(SECONDS)).out(Optional.of(folder)).build();
+        try (Program program = new ProgramFinder(home, List.of(), Optional.empty())
+                .find("sim/programs/explorer/Explorer.java");
                 Run run = new Simulation(settings).start(program)) {
             run.toEnd();
         }
@@ -41,7 +43,8 @@ class ReportPageTest {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         if (browser != null) {
             browser.close();
         }
@@ -53,13 +56,16 @@ class ReportPageTest {
 
     private static void assertAgrees(ReportPage page, double seconds) {
         assertThat(page.time()).as("time").isCloseTo(seconds, within(1e-6));
-        assertThat(page.pose()).as("pose at %s s", seconds).usingElementComparator((a, b) -> Math.abs(a - b) < 0.02 ? 0 : Double.compare(a, b))
+        assertThat(page.pose()).as("pose at %s s", seconds)
+                .usingElementComparator((a, b) -> Math.abs(a - b) < 0.02 ? 0 : Double.compare(a, b))
                 .containsExactly(truth.pose(seconds));
         assertThat(page.pixels()).as("screen at %s s", seconds).isEqualTo(truth.pixels(seconds));
-        assertThat(page.activeBehaviours()).as("active behaviour at %s s", seconds).isEqualTo(truth.activeBehaviours(seconds));
+        assertThat(page.activeBehaviours()).as("active behaviour at %s s", seconds)
+                .isEqualTo(truth.activeBehaviours(seconds));
     }
 
-    @Test void threeMomentsAgreeWithTheTrace() {
+    @Test
+    void threeMomentsAgreeWithTheTrace() {
         ReportPage page = open("");
         for (double seconds : new double[] {12.9, 3.5, 9}) {
             page.scrubTo(seconds);
@@ -69,11 +75,13 @@ class ReportPageTest {
         assertThat(truth.pixels(9)).contains("#");
     }
 
-    @Test void anAddressWithATimeOpensThere() {
+    @Test
+    void anAddressWithATimeOpensThere() {
         assertAgrees(open("#t=9.95"), 9.95);
     }
 
-    @Test void keysGoToMoments() {
+    @Test
+    void keysGoToMoments() {
         ReportPage page = open("");
         browser.keys(Keys.END);
         assertAgrees(page, SECONDS);
@@ -84,7 +92,8 @@ class ReportPageTest {
         assertAgrees(page, 2.95);
     }
 
-    @Test void playingMovesOnAndPausingStops() {
+    @Test
+    void playingMovesOnAndPausingStops() {
         ReportPage page = open("#t=2");
         browser.click(".play");
         browser.await("document.querySelector('.scrub').value > 2.6");
@@ -96,7 +105,8 @@ class ReportPageTest {
         assertThat(page.pixels()).isEqualTo(truth.pixels(stopped));
     }
 
-    @Test void whoeverPlaysToTheEndStaysThere() {
+    @Test
+    void whoeverPlaysToTheEndStaysThere() {
         ReportPage page = open("#t=15.5");
         browser.run("const s = document.querySelector('.speed'); s.value = '4'; s.dispatchEvent(new Event('change'));");
         browser.click(".play");
@@ -105,38 +115,50 @@ class ReportPageTest {
         assertAgrees(page, SECONDS);
     }
 
-    @Test void aPushedBoxIsDrawnWhereItWasPushed() {
+    @Test
+    void aPushedBoxIsDrawnWhereItWasPushed() {
         BodySample box = truth.trace().samples.get(truth.trace().samples.size() - 1).bodies().get(0);
         open("#t=" + SECONDS);
-        String shown = (String) browser.value("document.querySelector('.layer.world').shadowRoot.getElementById('" + box.id()
+        String shown = (String) browser.value(
+                "document.querySelector('.layer.world').shadowRoot.getElementById('" + box.id()
                 + "').getAttribute('data-displacement')");
-        assertThat(Arrays.stream(shown.split(" ")).map(Double::valueOf)).usingElementComparator((a, b) -> Math.abs(a - b) < 0.01 ? 0 : Double.compare(a, b))
-                .containsExactly(box.displacement().x() * 1000, box.displacement().y() * 1000, Math.toDegrees(box.displacement().headingRadians()));
+        assertThat(Arrays.stream(shown.split(" ")).map(Double::valueOf))
+                .usingElementComparator((a, b) -> Math.abs(a - b) < 0.01 ? 0 : Double.compare(a, b))
+                .containsExactly(box.displacement().x() * 1000, box.displacement().y() * 1000,
+                        Math.toDegrees(box.displacement().headingRadians()));
     }
 
-    @Test void anUntouchedBoxIsDrawnAtItsPlace() {
+    @Test
+    void anUntouchedBoxIsDrawnAtItsPlace() {
         open("#t=0");
-        assertThat(browser.value("document.querySelector('.layer.world').shadowRoot.querySelector('[data-displacement]')")).isNull();
+        assertThat(browser.value(
+                "document.querySelector('.layer.world').shadowRoot.querySelector('[data-displacement]')")).isNull();
     }
 
-    @Test void anEventThatIsClickedIsGoneTo() {
+    @Test
+    void anEventThatIsClickedIsGoneTo() {
         ReportPage page = open("");
-        double seconds = ((Number) browser.value("Number(document.querySelectorAll('#list-events .row')[5].dataset.time)")).doubleValue();
+        double seconds = ((Number) browser.value(
+                "Number(document.querySelectorAll('#list-events .row')[5].dataset.time)")).doubleValue();
         browser.click("#list-events .row:nth-child(6)");
         assertThat(page.time()).isEqualTo(seconds);
         browser.run("document.getElementById('list-events').focus()");
-        browser.value("document.getElementById('list-events').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowDown', bubbles: true}))");
+        browser.value("document.getElementById('list-events')"
+                + ".dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowDown', bubbles: true}))");
         assertThat(page.time()).isGreaterThanOrEqualTo(seconds);
-        assertThat(browser.value("document.querySelectorAll('#list-events [aria-selected=true]').length")).isEqualTo(1L);
+        assertThat(browser.value("document.querySelectorAll('#list-events [aria-selected=true]').length"))
+                .isEqualTo(1L);
     }
 
-    @Test void withoutTheBrowsersDecompressionThePageUnpacksItself() {
+    @Test
+    void withoutTheBrowsersDecompressionThePageUnpacksItself() {
         browser.open(folder.resolve("report.html"), "#own-inflate");
         ReportPage page = new ReportPage(browser, folder.resolve("report.html"), "#own-inflate&t=9");
         assertAgrees(page, 9);
     }
 
-    @Test void madeAgainFromTheTraceTheReportShowsTheSame() throws Exception {
+    @Test
+    void madeAgainFromTheTraceTheReportShowsTheSame() throws Exception {
         Path copy = folder.resolve("copy");
         Files.createDirectories(copy);
         for (String name : List.of("trace.jsonl", "world.svg", "robot.svg", "summary.json")) {

@@ -34,23 +34,29 @@ class RetentionTest {
     private static final long PATIENCE_MILLIS = 30_000;
     private static ExamplePrograms programs;
 
-    @BeforeAll static void compile() throws ProgramException {
+    @BeforeAll
+    static void compile() throws ProgramException {
         programs = ExamplePrograms.compiled();
     }
 
-    @AfterAll static void removeClasses() {
+    @AfterAll
+    static void removeClasses() {
         programs.close();
     }
 
     static List<BackendChoice> backends() {
-        return BackendChoice.continuationsAvailable() ? List.of(BackendChoice.THREADS, BackendChoice.CONTINUATIONS) : List.of(BackendChoice.THREADS);
+        return BackendChoice.continuationsAvailable() ? List.of(BackendChoice.THREADS, BackendChoice.CONTINUATIONS)
+                : List.of(BackendChoice.THREADS);
     }
 
     private static Run run(BackendChoice backend, int millis) throws DescriptionException {
-        return new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(Duration.ofMillis(millis)).build()).start(programs.program(THREADS));
+        return new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(Duration.ofMillis(millis)).build())
+                .start(programs.program(THREADS));
     }
 
-    @ParameterizedTest @MethodSource("backends") void noThreadRemains(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void noThreadRemains(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         Run run = run(backend, 500);
         run.toEnd();
@@ -66,7 +72,9 @@ class RetentionTest {
         }
     }
 
-    @ParameterizedTest @MethodSource("backends") void aRunThatIsClosedBeforeItsEndIsOver(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aRunThatIsClosedBeforeItsEndIsOver(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         try (Run run = run(backend, 60_000)) {
             run.advance(Duration.ofMillis(200));
@@ -74,7 +82,9 @@ class RetentionTest {
         assertNoNewThread(before);
     }
 
-    @ParameterizedTest @MethodSource("backends") void anInterruptOfTheThreadThatDrivesTheRunEndsIt(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void anInterruptOfTheThreadThatDrivesTheRunEndsIt(BackendChoice backend) throws Exception {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         Run run = run(backend, 3_600_000);
         Thread.currentThread().interrupt();
@@ -85,7 +95,9 @@ class RetentionTest {
         assertNoNewThread(before);
     }
 
-    @ParameterizedTest @MethodSource("backends") void classesAreCollectedAndTheHeapDoesNotGrow(BackendChoice backend) throws Exception {
+    @ParameterizedTest
+    @MethodSource("backends")
+    void classesAreCollectedAndTheHeapDoesNotGrow(BackendChoice backend) throws Exception {
         Set<Thread> threads = Thread.getAllStackTraces().keySet();
         List<WeakReference<ClassLoader>> loaders = new ArrayList<>();
         for (int i = 0; i < WARM_UP; i++) {
@@ -98,16 +110,20 @@ class RetentionTest {
         }
         assertNoNewThread(threads);
         long after = usedHeap();
-        assertThat(loaders.stream().filter(loader -> loader.get() != null)).as("loaders that are still there").isEmpty();
-        assertThat(after).as("bytes of heap after %d runs, %d after %d", RUNS, before, WARM_UP).isLessThan(before + before / 20);
+        assertThat(loaders.stream().filter(loader -> loader.get() != null))
+                .as("loaders that are still there").isEmpty();
+        assertThat(after).as("bytes of heap after %d runs, %d after %d", RUNS, before, WARM_UP)
+                .isLessThan(before + before / 20);
     }
 
-    private static void runAndForget(BackendChoice backend, List<WeakReference<ClassLoader>> loaders) throws DescriptionException {
-        Run run = new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(Duration.ofMillis(300)).build()).start(StartAndJoin.class,
-                robot -> {
+    private static void runAndForget(BackendChoice backend, List<WeakReference<ClassLoader>> loaders)
+            throws DescriptionException {
+        Run run = new Simulation(ExamplePrograms.settings("pen").backend(backend).limit(Duration.ofMillis(300)).build())
+                .start(StartAndJoin.class, robot -> {
                     loaders.add(new WeakReference<>(robot));
                     robot.loadClass("lejos.hardware.motor.Motor").getField("B").get(null);
-                    robot.loadClass(StartAndJoin.class.getName()).getMethod("main", String[].class).invoke(null, (Object) new String[0]);
+                    robot.loadClass(StartAndJoin.class.getName()).getMethod("main", String[].class)
+                            .invoke(null, (Object) new String[0]);
                 });
         run.toEnd();
         assertThat(run.outcome().kind()).isEqualTo("exited");
@@ -119,9 +135,11 @@ class RetentionTest {
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     }
 
-    @Test void compiledClassesAreRemovedHoweverTheRunEnds(@TempDir Path folder) throws Exception {
+    @Test
+    void compiledClassesAreRemovedHoweverTheRunEnds(@TempDir Path folder) throws Exception {
         assertLeavesNothing(folder, "public class Fine { public static void main(String[] a) { } }", "Fine", 0);
-        assertLeavesNothing(folder, "public class Fails { public static void main(String[] a) { throw new RuntimeException(); } }", "Fails", 1);
+        assertLeavesNothing(folder, "public class Fails { public static void main(String[] a) { throw new "
+                + "RuntimeException(); } }", "Fails", 1);
         assertLeavesNothing(folder, "public class Wrong { int i = \"no number\"; }", "Wrong", 2);
         assertLeavesNothing(folder, "public class Empty { }", "Empty", 2);
     }
@@ -130,9 +148,10 @@ class RetentionTest {
     private static void assertLeavesNothing(Path folder, String source, String name, int status) throws Exception {
         Path file = Files.writeString(folder.resolve(name + ".java"), source);
         Path temporary = Files.createDirectory(folder.resolve("temporary-" + name));
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:-UsePerfData",
-                "-Djava.io.tmpdir=" + temporary, "-cp", System.getProperty("java.class.path"), "brickless.cli.Main", "run", file.toString(),
-                "--out", folder.resolve("out").toString()).redirectErrorStream(true).redirectOutput(folder.resolve("log.txt").toFile()).start();
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:-UsePerfData", "-Djava.io.tmpdir=" + temporary, "-cp", System.getProperty("java.class.path"),
+                "brickless.cli.Main", "run", file.toString(), "--out", folder.resolve("out").toString())
+                .redirectErrorStream(true).redirectOutput(folder.resolve("log.txt").toFile()).start();
         assertThat(process.waitFor(PATIENCE_MILLIS * 4, TimeUnit.MILLISECONDS)).isTrue();
         assertThat(process.exitValue()).as(Files.readString(folder.resolve("log.txt"))).isEqualTo(status);
         try (Stream<Path> left = Files.list(temporary)) {

@@ -20,7 +20,8 @@ class StimuliDocumentTest {
         return Files.readString(Path.of(System.getProperty("brickless.home"), "sim/docs/STIMULI.md"));
     }
 
-    @Test void everyLineOfTheExamplesIsAStimulus() throws IOException, DescriptionException {
+    @Test
+    void everyLineOfTheExamplesIsAStimulus() throws IOException, DescriptionException {
         List<Integer> sizes = new ArrayList<>();
         Matcher examples = EXAMPLE.matcher(document());
         while (examples.find()) {
@@ -31,7 +32,8 @@ class StimuliDocumentTest {
         assertThat(sizes).containsExactly(10, 3);
     }
 
-    @Test void theExamplesHoldEveryKindOfStimulus() throws IOException, DescriptionException {
+    @Test
+    void theExamplesHoldEveryKindOfStimulus() throws IOException, DescriptionException {
         List<Class<?>> kinds = new ArrayList<>();
         Matcher examples = EXAMPLE.matcher(document());
         while (examples.find()) {

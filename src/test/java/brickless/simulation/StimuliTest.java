@@ -38,47 +38,55 @@ class StimuliTest {
         return run(program, stimuli).robot().printedLines();
     }
 
-    @Test void pressHoldsAKey() throws DescriptionException {
+    @Test
+    void pressHoldsAKey() throws DescriptionException {
         assertThat(printed(KeyWatch.class, "1s press ENTER 200ms", "2s press LEFT 200ms", "3s press UP 200ms"))
                 .containsExactly("2", "16", "1");
     }
 
-    @Test void pushHoldsTheTouchSensor() throws DescriptionException {
+    @Test
+    void pushHoldsTheTouchSensor() throws DescriptionException {
         List<String> lines = printed(TouchWatch.class, "1s push S1 500ms", "3s push S1 300ms");
         assertThat(lines).containsExactly("pressed 10", "released 15", "pressed 30", "released 33");
     }
 
-    @Test void remoteSendsOnItsChannelOnly() throws DescriptionException {
+    @Test
+    void remoteSendsOnItsChannelOnly() throws DescriptionException {
         assertThat(printed(RemoteWatch.class, "2s remote 1 TOP_RIGHT 500ms", "3s remote 2 TOP_LEFT 500ms",
                 "4s remote 2 BEACON 300ms"))
                 .containsExactly("command 1", "command 0", "command 9", "command 0");
     }
 
-    @Test void clapIsHeardForAMoment() throws DescriptionException {
+    @Test
+    void clapIsHeardForAMoment() throws DescriptionException {
         assertThat(printed(SoundWatch.class, "1s clap 90dB", "2s clap 10dB")).containsExactly("loud", "quiet");
     }
 
-    @Test void batteryChangesTheVoltage() throws DescriptionException {
+    @Test
+    void batteryChangesTheVoltage() throws DescriptionException {
         List<String> tenths = printed(VoltageWatch.class, "500ms battery 6.9V", "1500ms battery 8.0V");
         assertThat(tenths).hasSize(3);
         assertThat(Integer.parseInt(tenths.get(1))).as("with what the brick itself draws").isCloseTo(69, within(2));
         assertThat(Integer.parseInt(tenths.get(2))).isCloseTo(80, within(2));
     }
 
-    @Test void removeTakesAnObstacleAway() throws DescriptionException {
+    @Test
+    void removeTakesAnObstacleAway() throws DescriptionException {
         List<String> centimetres = printed(DistanceWatch.class, "1500ms remove near");
         int before = Integer.parseInt(centimetres.get(0));
         assertThat(Integer.parseInt(centimetres.get(3))).isCloseTo(before + 100, within(2));
     }
 
-    @Test void moveMovesAnObstacle() throws DescriptionException {
+    @Test
+    void moveMovesAnObstacle() throws DescriptionException {
         List<String> centimetres = printed(DistanceWatch.class, "1500ms move near 1250,500 0");
         assertThat(Integer.parseInt(centimetres.get(3))).as("the middle of the box was at 1050")
                 .isCloseTo(Integer.parseInt(centimetres.get(0)) + 20,
                 within(2));
     }
 
-    @Test void moveMovesTheRobot() throws DescriptionException {
+    @Test
+    void moveMovesTheRobot() throws DescriptionException {
         Run run = run(DistanceWatch.class, "1s move robot 700,400 90");
         assertThat(run.robot().xMetres()).isCloseTo(0.7, within(1e-3));
         assertThat(run.robot().yMetres()).isCloseTo(0.4, within(1e-3));
@@ -86,7 +94,8 @@ class StimuliTest {
         assertThat(run.robot().distanceMetres()).as("was not driven").isCloseTo(0, within(1e-3));
     }
 
-    @Test void keysPressedFromATestArrive() throws DescriptionException {
+    @Test
+    void keysPressedFromATestArrive() throws DescriptionException {
         Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD))
                 .pressButtons(false).build()).start(KeyWatch.class);
         for (String key : new String[] {"RIGHT", "ESCAPE", "down"}) {
@@ -98,7 +107,8 @@ class StimuliTest {
         assertThat(run.ended()).isTrue();
     }
 
-    @Test void aStimulusForNothingIsRefusedWhereItIsGiven() throws DescriptionException {
+    @Test
+    void aStimulusForNothingIsRefusedWhereItIsGiven() throws DescriptionException {
         try (Run run = new Simulation(SimulationSettings.builder(SvgWorldReader.readText("test.svg", WORLD)).build())
                 .start(KeyWatch.class)) {
             run.advance(Duration.ofSeconds(1));

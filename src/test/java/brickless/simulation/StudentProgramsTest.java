@@ -36,11 +36,13 @@ class StudentProgramsTest {
 
     @TempDir Path folder;
 
-    private Run run(Class<?> program, String world, String robot, long seed, String... stimuli) throws DescriptionException {
+    private Run run(Class<?> program, String world, String robot, long seed, String... stimuli)
+            throws DescriptionException {
         return run(program, LIBRARY.world(world), robot, seed, stimuli);
     }
 
-    private Run run(Class<?> program, World world, String robot, long seed, String... stimuli) throws DescriptionException {
+    private Run run(Class<?> program, World world, String robot, long seed, String... stimuli)
+            throws DescriptionException {
         SimulationSettings settings = SimulationSettings.builder(world).robot(LIBRARY.robot(robot)).seed(seed)
                 .stimuli(StimuliReader.readText("stimuli", String.join("\n", stimuli)))
                 .limit(Duration.ofSeconds(60)).out(Optional.of(folder)).build();
@@ -85,10 +87,11 @@ class StudentProgramsTest {
 
     @Test
     void aCarObeysTheRemoteControl() throws DescriptionException {
-        Run run = run(RemoteCar.class, "pen", "medium-turret", 1, "1s remote 1 BOTH_TOP 1s", "3s remote 1 BOTH_LEFT 500ms",
-                "5s remote 1 BEACON 500ms");
+        Run run = run(RemoteCar.class, "pen", "medium-turret", 1, "1s remote 1 BOTH_TOP 1s",
+                "3s remote 1 BOTH_LEFT 500ms", "5s remote 1 BEACON 500ms");
         assertThat(run.outcome().exitStatus()).contains(0);
-        assertThat(run.robot().printedLines()).containsExactly("code 0", "code 5", "code 0", "code 10", "code 0", "code 9");
+        assertThat(run.robot().printedLines())
+                .containsExactly("code 0", "code 5", "code 0", "code 10", "code 0", "code 9");
         assertThat(run.robot().distanceMetres()).as("a second at 400 degrees per second").isBetween(0.1, 0.3);
     }
 
@@ -104,25 +107,28 @@ class StudentProgramsTest {
 
     @Test
     void aSoundFileThatTheProgramMadePlaysForItsLength() throws DescriptionException {
-        assertThat(printedBy(WavMaker.class)).containsExactly("result 0", "hundredths 75", "bytes 6044", "removed true", "missing -9",
-                "raw 2000");
+        assertThat(printedBy(WavMaker.class))
+                .containsExactly("result 0", "hundredths 75", "bytes 6044", "removed true", "missing -9", "raw 2000");
     }
 
     @Test
     void filesStayInTheFolderWhereTheSimulatorRuns() throws DescriptionException {
-        assertThat(printedBy(StoredSettings.class)).containsExactly("no settings yet", "found true", "speed 300", "degrees 360",
+        assertThat(printedBy(StoredSettings.class))
+                .containsExactly("no settings yet", "found true", "speed 300", "degrees 360",
                 "folder " + Path.of("").toAbsolutePath(), "pilot 4.0 18.0 false");
         assertThat(Files.exists(Path.of("student-settings.properties"))).as("the program removed it").isFalse();
     }
 
     @Test
     void valuesGoThroughASocket() throws DescriptionException {
-        assertThat(printedBy(Telemetry.class)).containsExactly("listener: end of data", "hello from the brick", "values 10");
+        assertThat(printedBy(Telemetry.class))
+                .containsExactly("listener: end of data", "hello from the brick", "values 10");
     }
 
     @Test
     void aLogIsWrittenAndRead() throws DescriptionException {
-        World wall = SvgWorldReader.readText("wall.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 1000'>"
+        World wall = SvgWorldReader.readText("wall.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 1000'>"
                 + "<rect data-solid='fixed' x='1500' y='0' width='50' height='1000'/>"
                 + "<g data-robot='robot' transform='translate(300 500)'/></svg>");
         List<String> printed = run(DataLogger.class, wall, "educator", 1).robot().printedLines();
@@ -144,8 +150,9 @@ class StudentProgramsTest {
 
     @Test
     void keysQueueWhatATimerTakes() throws DescriptionException {
-        assertThat(printedBy(KeyDancer.class, "1300ms press LEFT 200ms", "1700ms press UP 200ms", "4s press RIGHT 200ms",
-                "9s press ESCAPE 200ms")).containsExactly("left", "jump", "right", "ticks true");
+        assertThat(printedBy(KeyDancer.class, "1300ms press LEFT 200ms", "1700ms press UP 200ms",
+                "4s press RIGHT 200ms", "9s press ESCAPE 200ms"))
+                .containsExactly("left", "jump", "right", "ticks true");
     }
 
     @Test

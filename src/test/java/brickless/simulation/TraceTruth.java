@@ -24,8 +24,10 @@ final class TraceTruth {
     /** x, y in millimetres and heading in degrees at the time of a sample. */
     double[] pose(double seconds) {
         long nanos = Math.round(seconds * 1e9);
-        RobotSample robot = trace.samples.stream().filter(sample -> sample.timeNanos() == nanos).map(Sample::robots).findFirst().orElseThrow().get(0);
-        return new double[] {robot.pose().x() * 1000, robot.pose().y() * 1000, Math.toDegrees(robot.pose().headingRadians())};
+        RobotSample robot = trace.samples.stream().filter(sample -> sample.timeNanos() == nanos).map(Sample::robots)
+                .findFirst().orElseThrow().get(0);
+        return new double[] {robot.pose().x() * 1000, robot.pose().y() * 1000,
+                Math.toDegrees(robot.pose().headingRadians())};
     }
 
     String pixels(double seconds) {
@@ -33,7 +35,8 @@ final class TraceTruth {
         for (CollectedTrace.Happening happening : trace.events) {
             if (happening.event() instanceof TraceEvent.ScreenEvent screen && happening.timeNanos() <= seconds * 1e9) {
                 for (int i = 0; i < screen.rows().size(); i++) {
-                    System.arraycopy(HexFormat.of().parseHex(screen.pixels().get(i)), 0, picture, screen.rows().get(i) * 23, 23);
+                    System.arraycopy(HexFormat.of().parseHex(screen.pixels().get(i)), 0, picture,
+                            screen.rows().get(i) * 23, 23);
                 }
             }
         }
@@ -54,7 +57,8 @@ final class TraceTruth {
             }
             if (happening.event() instanceof TraceEvent.ArbitratorEvent arbitrator) {
                 names = arbitrator.behaviours();
-            } else if (happening.event() instanceof TraceEvent.BehaviourEvent behaviour && behaviour.type().equals("active")) {
+            } else if (happening.event() instanceof TraceEvent.BehaviourEvent behaviour
+                    && behaviour.type().equals("active")) {
                 active = behaviour.behaviour();
             }
         }

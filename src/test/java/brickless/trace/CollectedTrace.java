@@ -15,15 +15,18 @@ public final class CollectedTrace implements TraceListener {
     /** The events in order. */
     public final List<Happening> events = new ArrayList<>();
 
-    @Override public void header(TraceHeader value) {
+    @Override
+    public void header(TraceHeader value) {
         header = value;
     }
 
-    @Override public void sample(Sample sample) {
+    @Override
+    public void sample(Sample sample) {
         samples.add(sample);
     }
 
-    @Override public void event(long timeNanos, String robot, TraceEvent event) {
+    @Override
+    public void event(long timeNanos, String robot, TraceEvent event) {
         events.add(new Happening(timeNanos, robot, event));
     }
 }

@@ -16,7 +16,10 @@ import java.util.regex.Pattern;
 import java.util.zip.InflaterInputStream;
 import org.junit.jupiter.api.Test;
 
-/** The page as text: what is inside, what is escaped, how large it gets. What it does in a browser is {@code ReportPageTest}'s. */
+/**
+ * The page as text: what is inside, what is escaped, how large it gets. What it does in a browser is
+ * {@code ReportPageTest}'s.
+ */
 class HtmlReportTest {
     private static final String NASTY = "</script><script>alert(1)</script><!-- \u2028 %DATA% %SCRIPT%";
     private static final Pattern DATA = Pattern.compile("id=\"run\">([^<]*)</script>");
@@ -31,7 +34,8 @@ class HtmlReportTest {
         Matcher data = DATA.matcher(page);
         assertThat(data.find()).isTrue();
         byte[] packed = Base64.getDecoder().decode(data.group(1));
-        return JsonFields.parse(new String(new InflaterInputStream(new ByteArrayInputStream(packed)).readAllBytes(), StandardCharsets.UTF_8));
+        return JsonFields.parse(new String(new InflaterInputStream(new ByteArrayInputStream(packed)).readAllBytes(),
+                StandardCharsets.UTF_8));
     }
 
     private static ReportRecording recording(TraceEvent... events) {
@@ -44,34 +48,44 @@ class HtmlReportTest {
         return recording;
     }
 
-    @Test void everyKindOfEventIsInside() throws IOException {
+    @Test
+    void everyKindOfEventIsInside() throws IOException {
         TraceEvent[] events = TraceReaderTest.everyKindOfEvent().toArray(TraceEvent[]::new);
-        assertThat(data(page(recording(events), SyntheticRun.scene())).objects("events")).extracting(event -> event.text("type"))
-                .containsExactly(TraceReaderTest.everyKindOfEvent().stream().map(TraceEvent::type).toArray(String[]::new));
+        assertThat(data(page(recording(events), SyntheticRun.scene())).objects("events"))
+                .extracting(event -> event.text("type"))
+                .containsExactly(TraceReaderTest.everyKindOfEvent().stream().map(TraceEvent::type)
+                        .toArray(String[]::new));
     }
 
-    @Test void whatTheProgramPrintsIsNeverMarkup() throws IOException {
+    @Test
+    void whatTheProgramPrintsIsNeverMarkup() throws IOException {
         String page = page(recording(new TraceEvent.PrintEvent(NASTY, false)), SyntheticRun.scene());
         assertThat(page).doesNotContain("alert(1)").doesNotContain("%DATA%").doesNotContain("%SCRIPT%");
         assertThat(page.split("<script", -1)).hasSize(3);
         assertThat(data(page).objects("events").get(0).text("text")).isEqualTo(NASTY);
     }
 
-    @Test void theTitleIsEscaped() throws IOException {
+    @Test
+    void theTitleIsEscaped() throws IOException {
         ReportRecording recording = new ReportRecording();
         recording.header(new TraceHeader("a<b>&\"c", "w", List.of(), 1, -1, false, 1, 1));
         assertThat(page(recording, SyntheticRun.scene())).contains("<title>a&lt;b&gt;&amp;&quot;c · Brickless</title>");
     }
 
-    @Test void nothingIsLoadedAndOnlyThePagesOwnScriptRuns() throws IOException, GeneralSecurityException {
+    @Test
+    void nothingIsLoadedAndOnlyThePagesOwnScriptRuns() throws IOException, GeneralSecurityException {
         String page = page(recording(), SyntheticRun.scene());
         String script = page.substring(page.lastIndexOf("<script>") + 8, page.lastIndexOf("</script>"));
-        String hash = Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(script.getBytes(StandardCharsets.UTF_8)));
-        assertThat(page).contains("default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" + hash + "'");
-        assertThat(page.replace("http://www.w3.org/2000/svg", "")).doesNotContain("http:").doesNotContain("https:").doesNotContain("@import");
+        String hash = Base64.getEncoder()
+                .encodeToString(MessageDigest.getInstance("SHA-256").digest(script.getBytes(StandardCharsets.UTF_8)));
+        assertThat(page).contains("default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-"
+                + hash + "'");
+        assertThat(page.replace("http://www.w3.org/2000/svg", "")).doesNotContain("http:").doesNotContain("https:")
+                .doesNotContain("@import");
     }
 
-    @Test void signalsAreColumnsOfDifferences() throws IOException {
+    @Test
+    void signalsAreColumnsOfDifferences() throws IOException {
         ReportRecording recording = new ReportRecording();
         SyntheticRun run = new SyntheticRun(recording);
         run.standing(0);
@@ -85,7 +99,8 @@ class HtmlReportTest {
         assertThat(column.json()).isEqualTo("{\"places\":2,\"from\":3,\"deltas\":[100,null,null,-150]}");
     }
 
-    @Test void tenBusyMinutesStayBelowTenMegabytes() throws IOException {
+    @Test
+    void tenBusyMinutesStayBelowTenMegabytes() throws IOException {
         ReportRecording recording = new ReportRecording();
         SyntheticRun.busy(recording, 600);
         assertThat(page(recording, SyntheticRun.scene()).length()).isBetween(500_000, 10_000_000);

@@ -20,32 +20,40 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** In the report jaws close and turrets turn with their motors: made-up runs of library robots whose motor A turns 9 degrees a second. */
+/**
+ * In the report jaws close and turrets turn with their motors: made-up runs of library robots whose motor A turns 9
+ * degrees a second.
+ */
 @Tag("browser")
 class MovingPartsTest {
     @TempDir static Path folder;
     private static Browser browser;
 
-    @BeforeAll static void startTheBrowser() {
+    @BeforeAll
+    static void startTheBrowser() {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         browser.close();
     }
 
     private static void open(String robot, int second) throws Exception {
         Path page = folder.resolve(robot + ".html");
         if (!Files.exists(page)) {
-            RobotModel model = SvgRobotReader.read(Path.of(System.getProperty("brickless.home"), "sim", "robots", robot + ".svg"));
+            RobotModel model = SvgRobotReader.read(
+                    Path.of(System.getProperty("brickless.home"), "sim", "robots", robot + ".svg"));
             ReportRecording recording = new ReportRecording();
-            recording.header(new TraceHeader("demo.Moving", "hall", List.of(robot), 1, -1, false, 2_000_000, 1_000_000_000));
+            recording.header(new TraceHeader("demo.Moving", "hall", List.of(robot), 1, -1, false, 2_000_000,
+                    1_000_000_000));
             for (int i = 0; i <= 10; i++) {
                 recording.sample(new Sample(i * 1_000_000_000L, List.of(new RobotSample("robot", new Pose2(1, 0.5, 0),
                         List.of(new MotorSample('A', 9 * i, 9, 20, 0.1)), List.of(), 8)), List.of()));
             }
             try (OutputStream out = Files.newOutputStream(page)) {
-                HtmlReport.write(out, recording, new ReportScene(SyntheticRun.scene().world(), Map.of("robot", model)), Optional.empty());
+                HtmlReport.write(out, recording, new ReportScene(SyntheticRun.scene().world(), Map.of("robot", model)),
+                        Optional.empty());
             }
         }
         browser.open(page, "#t=" + second);
@@ -53,12 +61,14 @@ class MovingPartsTest {
 
     /** Where the part of a robot's drawing is on the page: its box in CSS pixels. */
     private static double[] box(String selector) {
-        String box = "document.querySelector('.layer.robot').shadowRoot.querySelector('" + selector + "').getBoundingClientRect()";
+        String box = "document.querySelector('.layer.robot').shadowRoot.querySelector('" + selector
+                + "').getBoundingClientRect()";
         return List.of("left", "top", "right", "bottom").stream()
                 .mapToDouble(side -> ((Number) browser.value("1 * " + box + "." + side)).doubleValue()).toArray();
     }
 
-    @Test void jawsClose() throws Exception {
+    @Test
+    void jawsClose() throws Exception {
         open("gripper", 0);
         double[] openLeft = box("#claw polygon:nth-of-type(1)");
         double[] openRight = box("#claw polygon:nth-of-type(2)");
@@ -73,7 +83,8 @@ class MovingPartsTest {
         assertThat(box("#claw rect")).as("the bar stays").containsExactly(bar, within(0.01));
     }
 
-    @Test void turretTurnsToTheLeft() throws Exception {
+    @Test
+    void turretTurnsToTheLeft() throws Exception {
         open("medium-turret", 0);
         double[] ahead = box("#infrared");
         open("medium-turret", 10);

@@ -26,7 +26,8 @@ class RobotOutlineTest {
     private static final List<Point2> CROSSBAR = box(0.05, -0.05, 0.06, 0.05);
 
     private static List<Point2> box(double left, double top, double right, double bottom) {
-        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom), new Point2(left, bottom));
+        return List.of(new Point2(left, top), new Point2(right, top), new Point2(right, bottom),
+                new Point2(left, bottom));
     }
 
     private static RobotModel robot(List<Turret> turrets, List<Claw> claws) {
@@ -46,7 +47,8 @@ class RobotOutlineTest {
         return ring.stream().mapToDouble(p -> Math.abs(p.y())).min().orElseThrow();
     }
 
-    @Test void openClawIsDrawnAsInItsFile() {
+    @Test
+    void openClawIsDrawnAsInItsFile() {
         assertThat(at(clawed(false), 0)).containsExactly(CHASSIS, LEFT_JAW, RIGHT_JAW, CROSSBAR);
         assertThat(RobotOutline.of(clawed(false), List.of())).as("without its motor").contains(LEFT_JAW);
     }
@@ -66,12 +68,16 @@ class RobotOutlineTest {
         }
     }
 
-    @Test void jawsCloseNoFurtherThanTheirStop() {
+    @Test
+    void jawsCloseNoFurtherThanTheirStop() {
         assertThat(at(clawed(false), 500)).isEqualTo(at(clawed(false), 90));
         assertThat(at(clawed(false), -30)).isEqualTo(at(clawed(false), 0));
     }
 
-    /** Forward of the motor turns a turret to the left, which is up the page; a quarter turn through a gear of 2 is an eighth. */
+    /**
+     * Forward of the motor turns a turret to the left, which is up the page; a quarter turn through a gear of 2 is an
+     * eighth.
+     */
     @ParameterizedTest
     @CsvSource({"90,1,false,0,-0.05", "90,1,true,0,0.05", "180,2,false,0,-0.05", "-90,1,false,0,0.05"})
     void turretsTurnLeft(double tacho, double gearRatio, boolean inverted, double x, double y) {
@@ -82,15 +88,18 @@ class RobotOutlineTest {
         assertThat(nose.y()).isCloseTo(y, within(1e-9));
     }
 
-    @Test void pathDrawingShowsClosedJawsAtTheEnd() {
+    @Test
+    void pathDrawingShowsClosedJawsAtTheEnd() {
         PathDrawing drawing = new PathDrawing();
-        drawing.sample(new Sample(0, List.of(new RobotSample("robot", new Pose2(0, 0, 0), List.of(new MotorSample('A', 0, 0, 0, 0)),
+        drawing.sample(new Sample(0,
+                List.of(new RobotSample("robot", new Pose2(0, 0, 0), List.of(new MotorSample('A', 0, 0, 0, 0)),
                 List.of(), 8)), List.of()));
-        World world = new World("hall", 0, 0, 2, 1, List.of(), List.of(), List.of(), List.of(), List.of(), Optional.empty(), List.of(),
-                "<svg></svg>");
+        World world = new World("hall", 0, 0, 2, 1, List.of(), List.of(), List.of(), List.of(), List.of(),
+                Optional.empty(), List.of(), "<svg></svg>");
         String open = drawing.svg(world, Map.of("robot", clawed(false)));
         assertThat(open).contains("50,40 110,40");
-        drawing.sample(new Sample(1, List.of(new RobotSample("robot", new Pose2(0, 0, 0), List.of(new MotorSample('A', 90, 0, 0, 0)),
+        drawing.sample(new Sample(1,
+                List.of(new RobotSample("robot", new Pose2(0, 0, 0), List.of(new MotorSample('A', 90, 0, 0, 0)),
                 List.of(), 8)), List.of()));
         assertThat(drawing.svg(world, Map.of("robot", clawed(false)))).doesNotContain("110,40");
     }

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 
 /** Lines of samples are what an ordinary JSON writer writes. */
 class SampleLineTest {
-    private static final List<String> NAMES = List.of("robot", "Zoë", "a \"quoted\" \\ name", "tab\tand\nline", "\u0001\u007f", "机器人", "\ud83e\udd16", "");
+    private static final List<String> NAMES = List.of("robot", "Zoë", "a \"quoted\" \\ name", "tab\tand\nline",
+            "\u0001\u007f", "机器人", "\ud83e\udd16", "");
 
     private final SampleLine line = new SampleLine();
 
@@ -47,35 +48,43 @@ class SampleLineTest {
             List<MotorSample> motors = new ArrayList<>();
             List<SensorSample> sensors = new ArrayList<>();
             for (int port = 0; port < random.nextInt(5); port++) {
-                motors.add(new MotorSample((char) ('A' + port), number(random), number(random), number(random), number(random)));
+                motors.add(new MotorSample((char) ('A' + port), number(random), number(random), number(random),
+                        number(random)));
                 double[] values = random.doubles(random.nextInt(4)).toArray();
                 sensors.add(new SensorSample(port + 1, NAMES.get(random.nextInt(NAMES.size())), values));
             }
-            robots.add(new RobotSample(NAMES.get(i), new Pose2(number(random), number(random), number(random)), motors, sensors, number(random)));
+            robots.add(new RobotSample(NAMES.get(i), new Pose2(number(random), number(random), number(random)), motors,
+                    sensors, number(random)));
         }
         List<BodySample> bodies = new ArrayList<>();
         for (int i = random.nextInt(4); i > 0; i--) {
-            bodies.add(new BodySample(NAMES.get(random.nextInt(NAMES.size())), new Pose2(number(random), number(random), number(random))));
+            bodies.add(new BodySample(NAMES.get(random.nextInt(NAMES.size())),
+                    new Pose2(number(random), number(random), number(random))));
         }
         return new Sample(random.nextInt(2_000_000_000) * 1_000L, robots, bodies);
     }
 
-    @Test void oneSampleByHand() {
-        Sample sample = new Sample(1_050_000_000L, List.of(new RobotSample("robot", new Pose2(0.5, -1.25, 0), List.of(new MotorSample('B', 90, -0.06, 100, 0.1234)),
+    @Test
+    void oneSampleByHand() {
+        Sample sample = new Sample(1_050_000_000L, List.of(new RobotSample("robot", new Pose2(0.5, -1.25, 0),
+                List.of(new MotorSample('B', 90, -0.06, 100, 0.1234)),
                 List.of(new SensorSample(4, "ev3-ultrasonic", new double[] {255})), 8.2)), List.of());
-        assertThat(written(sample)).isEqualTo("{\"t\":1.05,\"type\":\"sample\",\"robots\":[{\"name\":\"robot\",\"x\":0.5,\"y\":-1.25,\"heading\":0,"
+        assertThat(written(sample)).isEqualTo(
+                "{\"t\":1.05,\"type\":\"sample\",\"robots\":[{\"name\":\"robot\",\"x\":0.5,\"y\":-1.25,\"heading\":0,"
                 + "\"motors\":[{\"port\":\"B\",\"tacho\":90,\"speed\":-0.1,\"duty\":100,\"amperes\":0.123}],"
                 + "\"sensors\":[{\"port\":4,\"kind\":\"ev3-ultrasonic\",\"values\":[255]}],\"volts\":8.2}]}\n");
     }
 
-    @Test void randomSamplesAreWhatAnOrdinaryWriterWrites() {
+    @Test
+    void randomSamplesAreWhatAnOrdinaryWriterWrites() {
         for (int seed = 0; seed < 500; seed++) {
             Sample sample = random(new Random(seed));
             assertThat(written(sample)).as("seed %d", seed).isEqualTo(expected(sample));
         }
     }
 
-    @Test void longLinesFindRoom() {
+    @Test
+    void longLinesFindRoom() {
         List<BodySample> bodies = new ArrayList<>();
         for (int i = 0; i < 2_000; i++) {
             bodies.add(new BodySample("crate" + i, new Pose2(i / 7.0, -i / 3.0, i)));

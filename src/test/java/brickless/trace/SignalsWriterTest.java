@@ -15,7 +15,8 @@ class SignalsWriterTest {
     private final SignalsWriter writer = new SignalsWriter(text);
 
     private static RobotSample robot(String name, SensorSample... sensors) {
-        return new RobotSample(name, new Pose2(0.5, -0.25, StrictMath.PI / 2), List.of(new MotorSample('B', 90, 360.5, -50, 0.125)), List.of(sensors), 8.1);
+        return new RobotSample(name, new Pose2(0.5, -0.25, StrictMath.PI / 2),
+                List.of(new MotorSample('B', 90, 360.5, -50, 0.125)), List.of(sensors), 8.1);
     }
 
     private List<String> lines(Sample... samples) throws IOException {
@@ -30,20 +31,25 @@ class SignalsWriterTest {
         return new Sample(nanos, List.of(robots), List.of());
     }
 
-    @Test void aRowHasEverySignalOfTheRobot() throws IOException {
-        assertThat(lines(at(50_000_000, robot("r", new SensorSample(1, "ev3-touch", new double[] {1}))))).containsExactly(
+    @Test
+    void aRowHasEverySignalOfTheRobot() throws IOException {
+        assertThat(lines(at(50_000_000, robot("r", new SensorSample(1, "ev3-touch", new double[] {1})))))
+                .containsExactly(
                 "time_s,x_m,y_m,heading_deg,B_tacho_deg,B_speed_dps,B_duty_pct,B_current_a,S1_ev3-touch,battery_v",
                 "0.05,0.5,-0.25,90,90,360.5,-50,0.125,1,8.1");
     }
 
-    @Test void aSensorThatSendsNothingYetHasItsColumn() throws IOException {
+    @Test
+    void aSensorThatSendsNothingYetHasItsColumn() throws IOException {
         assertThat(lines(at(0, robot("r", new SensorSample(4, "ev3-ultrasonic", new double[0]))),
-                at(50_000_000, robot("r", new SensorSample(4, "ev3-ultrasonic", new double[] {2550}))))).containsExactly(
+                at(50_000_000, robot("r", new SensorSample(4, "ev3-ultrasonic", new double[] {2550})))))
+                .containsExactly(
                 "time_s,x_m,y_m,heading_deg,B_tacho_deg,B_speed_dps,B_duty_pct,B_current_a,S4_ev3-ultrasonic,battery_v",
                 "0,0.5,-0.25,90,90,360.5,-50,0.125,,8.1", "0.05,0.5,-0.25,90,90,360.5,-50,0.125,2550,8.1");
     }
 
-    @Test void signalsThatComeLaterHaveTheirColumnsAtTheEnd() throws IOException {
+    @Test
+    void signalsThatComeLaterHaveTheirColumnsAtTheEnd() throws IOException {
         assertThat(lines(at(0, robot("r", new SensorSample(3, "ev3-color", new double[] {7}))),
                 at(50_000_000, robot("r", new SensorSample(3, "ev3-color", new double[] {1, 2, 3}))),
                 at(100_000_000, robot("r", new SensorSample(3, "ev3-color", new double[] {6}))))).satisfies(lines -> {
@@ -54,12 +60,17 @@ class SignalsWriterTest {
                 });
     }
 
-    @Test void severalRobotsHaveTheirNamesBeforeTheirSignals() throws IOException {
-        assertThat(lines(at(0, robot("left"), robot("right"))).get(0)).startsWith("time_s,left.x_m,").contains(",left.battery_v,right.x_m,");
+    @Test
+    void severalRobotsHaveTheirNamesBeforeTheirSignals() throws IOException {
+        assertThat(lines(at(0, robot("left"), robot("right"))).get(0)).startsWith("time_s,left.x_m,")
+                .contains(",left.battery_v,right.x_m,");
     }
 
-    @Test void whatIsNotFiniteCanBeReadAsANumber() throws IOException {
-        assertThat(lines(at(0, robot("r", new SensorSample(2, "x", new double[] {Double.POSITIVE_INFINITY, Double.NaN, Double.NEGATIVE_INFINITY}))))
+    @Test
+    void whatIsNotFiniteCanBeReadAsANumber() throws IOException {
+        assertThat(
+                lines(at(0, robot("r", new SensorSample(2, "x",
+                        new double[] {Double.POSITIVE_INFINITY, Double.NaN, Double.NEGATIVE_INFINITY}))))
                 .get(1)).endsWith(",inf,,-inf,8.1");
     }
 }

@@ -25,7 +25,8 @@ final class SyntheticRun {
 
     SyntheticRun(TraceListener listener) {
         this.listener = listener;
-        listener.header(new TraceHeader("demo.Busy", "hall", List.of("made-up"), 3, -1, false, 2_000_000, SAMPLE_NANOS));
+        listener.header(new TraceHeader("demo.Busy", "hall", List.of("made-up"), 3, -1, false, 2_000_000,
+                SAMPLE_NANOS));
     }
 
     /** Every signal moves with noise; the program prints, draws and arbitrates all the time. */
@@ -40,7 +41,8 @@ final class SyntheticRun {
                 run.at(time, new TraceEvent.BehaviourEvent("active", 0, i / 5 % 2));
             }
             if (i % 2 == 0) {
-                run.at(time, new TraceEvent.PrintEvent("distance " + run.random.nextInt(2550) + " mm, light " + run.random.nextInt(100), false));
+                run.at(time, new TraceEvent.PrintEvent("distance " + run.random.nextInt(2550) + " mm, light "
+                        + run.random.nextInt(100), false));
             }
         }
         run.at(seconds * 1_000_000_000L, new TraceEvent.EndEvent("time-limit", -1));
@@ -66,7 +68,8 @@ final class SyntheticRun {
         List<MotorSample> motors = new ArrayList<>();
         List<SensorSample> sensors = new ArrayList<>();
         for (int i = 0; i < 4; i++) {
-            motors.add(new MotorSample((char) ('A' + i), signals[i] * 10, signals[i + 4], signals[i + 8], signals[i + 12]));
+            motors.add(new MotorSample((char) ('A' + i), signals[i] * 10, signals[i + 4], signals[i + 8],
+                    signals[i + 12]));
             sensors.add(new SensorSample(i + 1, "ev3-ultrasonic", new double[] {signals[i + 16]}));
         }
         Pose2 pose = new Pose2(signals[20] / 100, signals[21] / 100, signals[22]);
@@ -88,15 +91,20 @@ final class SyntheticRun {
 
     /** An empty hall of 2 m by 1 m with this drawing. */
     static ReportScene scene(String worldSvg) {
-        World world = new World("hall", 0, 0, 2, 1, List.of(), List.of(), List.of(), List.of(), List.of(), Optional.empty(), List.of(), worldSvg);
-        List<Point2> outline = List.of(new Point2(-0.1, -0.05), new Point2(0.1, -0.05), new Point2(0.1, 0.05), new Point2(-0.1, 0.05));
-        RobotModel.Wheel wheel = new RobotModel.Wheel("left", 1, MotorType.LARGE, 0.056, 1, false, new Point2(0, -0.06), 0, false);
-        RobotModel robot = new RobotModel("made-up", List.of(outline), 0.7, List.of(wheel), List.of(), List.of(), List.of(), List.of(), "");
+        World world = new World("hall", 0, 0, 2, 1, List.of(), List.of(), List.of(), List.of(), List.of(),
+                Optional.empty(), List.of(), worldSvg);
+        List<Point2> outline = List.of(new Point2(-0.1, -0.05), new Point2(0.1, -0.05), new Point2(0.1, 0.05),
+                new Point2(-0.1, 0.05));
+        RobotModel.Wheel wheel = new RobotModel.Wheel("left", 1, MotorType.LARGE, 0.056, 1, false,
+                new Point2(0, -0.06), 0, false);
+        RobotModel robot = new RobotModel("made-up", List.of(outline), 0.7, List.of(wheel), List.of(), List.of(),
+                List.of(), List.of(), "");
         return new ReportScene(world, Map.of(ROBOT, robot));
     }
 
     /** The hall with nothing but its floor. */
     static ReportScene scene() {
-        return scene("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 2000 1000\"><rect width=\"2000\" height=\"1000\" fill=\"#eeeeee\"/></svg>");
+        return scene("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 2000 1000\">"
+                + "<rect width=\"2000\" height=\"1000\" fill=\"#eeeeee\"/></svg>");
     }
 }

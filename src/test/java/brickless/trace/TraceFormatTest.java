@@ -27,7 +27,8 @@ import org.junit.jupiter.api.Test;
 class TraceFormatTest {
     private static final List<String> CHANGES = List.of("wants", "active", "suppressed");
 
-    @Test void theDescriptionIsComplete() throws IOException, ReflectiveOperationException {
+    @Test
+    void theDescriptionIsComplete() throws IOException, ReflectiveOperationException {
         assertThat(described()).isEqualTo(written());
     }
 

@@ -21,20 +21,24 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What was written is read back, and a file that is no whole trace is refused with the line. */
 class TraceReaderTest {
-    private static final TraceHeader HEADER = new TraceHeader("demo.Main", "pen", List.of("educator", "sumo"), Long.MIN_VALUE, 17, true, 2_000_000,
-            50_000_000);
+    private static final TraceHeader HEADER = new TraceHeader("demo.Main", "pen", List.of("educator", "sumo"),
+            Long.MIN_VALUE, 17, true, 2_000_000, 50_000_000);
     private static final TraceEvent END = new TraceEvent.EndEvent("exited", 0);
 
     @TempDir Path folder;
 
     static List<TraceEvent> everyKindOfEvent() {
-        return List.of(new TraceEvent.KeyEvent("ENTER", true, "auto"), new TraceEvent.LedEvent(9), new TraceEvent.SoundEvent("tone", 440, 200, 80),
+        return List.of(new TraceEvent.KeyEvent("ENTER", true, "auto"), new TraceEvent.LedEvent(9),
+                new TraceEvent.SoundEvent("tone", 440, 200, 80),
                 new TraceEvent.ScreenEvent(List.of(0, 127), List.of("00".repeat(23), "ff".repeat(23))),
                 new TraceEvent.PrintEvent("\"quoted\" \\ tab\t newline\n \u2028 € </script> \u0000", true),
-                new TraceEvent.ArbitratorEvent(1, List.of("a.Cruise", "a.Turn$1")), new TraceEvent.BehaviourEvent("wants", 1, -1),
-                new TraceEvent.BehaviourEvent("active", 1, 0), new TraceEvent.BehaviourEvent("suppressed", 1, 1),
-                new TraceEvent.ModeEvent(4, "ev3-ultrasonic", "US-DIST-CM"), new TraceEvent.CollisionEvent("crate", 0.125), new TraceEvent.FallEvent(), new TraceEvent.ZoneEvent("goal", false),
-                new TraceEvent.StimulusEvent("move robot 500,300 90"), new TraceEvent.ExceptionEvent("Thread-1", "java.lang.Error: no"), END);
+                new TraceEvent.ArbitratorEvent(1, List.of("a.Cruise", "a.Turn$1")),
+                new TraceEvent.BehaviourEvent("wants", 1, -1), new TraceEvent.BehaviourEvent("active", 1, 0),
+                new TraceEvent.BehaviourEvent("suppressed", 1, 1),
+                new TraceEvent.ModeEvent(4, "ev3-ultrasonic", "US-DIST-CM"), new TraceEvent.CollisionEvent("crate",
+                        0.125), new TraceEvent.FallEvent(), new TraceEvent.ZoneEvent("goal", false),
+                new TraceEvent.StimulusEvent("move robot 500,300 90"),
+                new TraceEvent.ExceptionEvent("Thread-1", "java.lang.Error: no"), END);
     }
 
     private static String written(TraceEvent... events) {
@@ -52,20 +56,26 @@ class TraceReaderTest {
         return trace;
     }
 
-    @Test void theHeaderComesBack() throws Exception {
+    @Test
+    void theHeaderComesBack() throws Exception {
         assertThat(read(written(END)).header).isEqualTo(HEADER);
     }
 
-    @ParameterizedTest @MethodSource("everyKindOfEvent") void anEventComesBack(TraceEvent event) throws Exception {
+    @ParameterizedTest
+    @MethodSource("everyKindOfEvent")
+    void anEventComesBack(TraceEvent event) throws Exception {
         String text = event == END ? written(END) : written(event, END);
         assertThat(read(text).events.get(0)).isEqualTo(new CollectedTrace.Happening(1_500_001_000L, "r", event));
     }
 
-    @Test void aSampleComesBackAsItWasRounded() throws Exception {
+    @Test
+    void aSampleComesBackAsItWasRounded() throws Exception {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         TraceWriter writer = new TraceWriter(bytes, HEADER);
-        RobotSample robot = new RobotSample("r", new Pose2(0.123456, -2, 1), List.of(new MotorSample('B', 90.126, -360.04, 41.55, 0.1204)),
-                List.of(new SensorSample(4, "ev3-ultrasonic", new double[] {Double.POSITIVE_INFINITY, 2.5}), new SensorSample(1, "ev3-touch", new double[0])), 8.1);
+        RobotSample robot = new RobotSample("r", new Pose2(0.123456, -2, 1),
+                List.of(new MotorSample('B', 90.126, -360.04, 41.55, 0.1204)),
+                List.of(new SensorSample(4, "ev3-ultrasonic", new double[] {Double.POSITIVE_INFINITY, 2.5}),
+                        new SensorSample(1, "ev3-touch", new double[0])), 8.1);
         writer.sample(new Sample(50_000_000, List.of(robot), List.of(new BodySample("box", new Pose2(0.01, 0, 0)))));
         writer.event(60_000_000, "r", END);
         Sample sample = read(bytes.toString(StandardCharsets.UTF_8)).samples.get(0);
@@ -79,7 +89,8 @@ class TraceReaderTest {
         assertThat(sample.bodies()).containsExactly(new BodySample("box", new Pose2(0.01, 0, 0)));
     }
 
-    @Test void writtenAgainItIsTheSameTraceWithTheSameHash() throws Exception {
+    @Test
+    void writtenAgainItIsTheSameTraceWithTheSameHash() throws Exception {
         ByteArrayOutputStream first = new ByteArrayOutputStream();
         String hash = written(first);
         Rewriting again = new Rewriting();
@@ -101,33 +112,39 @@ class TraceReaderTest {
         private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         private TraceWriter writer;
 
-        @Override public void header(TraceHeader header) {
+        @Override
+        public void header(TraceHeader header) {
             writer = new TraceWriter(bytes, header);
         }
 
-        @Override public void sample(Sample sample) {
+        @Override
+        public void sample(Sample sample) {
             writer.sample(sample);
         }
 
-        @Override public void event(long timeNanos, String robot, TraceEvent event) {
+        @Override
+        public void event(long timeNanos, String robot, TraceEvent event) {
             writer.event(timeNanos, robot, event);
         }
     }
 
-    @Test void aTraceOfAnotherVersionIsRefused() {
+    @Test
+    void aTraceOfAnotherVersionIsRefused() {
         String text = written(END).replace("\"version\":1", "\"version\":2");
         assertThatThrownBy(() -> read(text)).isInstanceOf(TraceException.class)
                 .hasMessage("trace.jsonl:1: trace version 2 is not known; this program reads version 1");
     }
 
-    @Test void aTraceCutAnywhereIsRefusedWithTheLine() {
+    @Test
+    void aTraceCutAnywhereIsRefusedWithTheLine() {
         String whole = written(new TraceEvent.LedEvent(1), new TraceEvent.PrintEvent("text", false), END);
         for (int length = 0; length < whole.length(); length++) {
             String cut = whole.substring(0, length);
             long lines = cut.chars().filter(c -> c == '\n').count();
             boolean atLineEnd = cut.isEmpty() || cut.endsWith("\n");
             assertThatThrownBy(() -> read(cut)).as("cut after %d characters", length).isInstanceOf(TraceException.class)
-                    .hasMessageStartingWith(lines == 0 && atLineEnd ? "trace.jsonl: empty" : "trace.jsonl:" + (atLineEnd ? lines : lines + 1) + ": cut off");
+                    .hasMessageStartingWith(lines == 0 && atLineEnd
+                            ? "trace.jsonl: empty" : "trace.jsonl:" + (atLineEnd ? lines : lines + 1) + ": cut off");
         }
     }
 
@@ -138,8 +155,10 @@ class TraceReaderTest {
         "{\"t\":1,\"type\":\"led\",\"robot\":\"r\",\"pattern\":9999999999} | field \"pattern\" is out of range",
         "{\"t\":1,\"type\":\"dance\",\"robot\":\"r\"} | unknown type \"dance\"",
         "{\"t\":\"soon\",\"type\":\"fell\",\"robot\":\"r\"} | field \"t\" is not a number",
-        "{\"t\":1,\"type\":\"screen\",\"robot\":\"r\",\"rows\":[1],\"pixels\":[]} | fields \"rows\" and \"pixels\" differ in length",
-        "{\"t\":1,\"type\":\"sample\",\"robots\":[{\"name\":\"r\",\"x\":0,\"y\":0,\"heading\":0,\"motors\":[{\"port\":\"E\"}]}]} | field \"port\" is no motor port",
+        "{\"t\":1,\"type\":\"screen\",\"robot\":\"r\",\"rows\":[1],\"pixels\":[]}"
+            + " | fields \"rows\" and \"pixels\" differ in length",
+        "{\"t\":1,\"type\":\"sample\",\"robots\":[{\"name\":\"r\",\"x\":0,\"y\":0,\"heading\":0,"
+            + "\"motors\":[{\"port\":\"E\"}]}]} | field \"port\" is no motor port",
         "[] | is no JSON object",
         "{} {} | holds more than one JSON object"
     })
@@ -148,12 +167,14 @@ class TraceReaderTest {
         assertThatThrownBy(() -> read(text)).isInstanceOf(TraceException.class).hasMessage("trace.jsonl:2: " + problem);
     }
 
-    @Test void linesBehindTheEndAreRefused() {
+    @Test
+    void linesBehindTheEndAreRefused() {
         String text = written(END, new TraceEvent.LedEvent(1));
         assertThatThrownBy(() -> read(text)).hasMessage("trace.jsonl:3: goes on after the end of the run");
     }
 
-    @Test void aFileThatIsNotThereIsNamed() {
+    @Test
+    void aFileThatIsNotThereIsNamed() {
         assertThatThrownBy(() -> TraceReader.read(folder.resolve("trace.jsonl"), new CollectedTrace()))
                 .isInstanceOf(TraceException.class).hasMessageEndingWith("trace.jsonl: no such file");
     }

@@ -17,7 +17,8 @@ class FileWatchTest {
     private Path two;
     private FileWatch watch;
 
-    @BeforeEach void write() throws IOException {
+    @BeforeEach
+    void write() throws IOException {
         one = write("one.txt", "one", 1);
         two = write("two.txt", "two", 1);
         watch = new FileWatch(List.of(one, two));
@@ -28,11 +29,13 @@ class FileWatchTest {
         return Files.setLastModifiedTime(file, FileTime.fromMillis(time));
     }
 
-    @Test void filesThatStayAsTheyAreDidNotChange() {
+    @Test
+    void filesThatStayAsTheyAreDidNotChange() {
         assertThat(watch.changed()).isEmpty();
     }
 
-    @Test void anotherContentIsAChangeUntilItIsTakenBack() throws IOException {
+    @Test
+    void anotherContentIsAChangeUntilItIsTakenBack() throws IOException {
         write("two.txt", "TWO", 2);
         assertThat(watch.changed()).containsExactly(two);
         write("one.txt", "other", 2);
@@ -41,19 +44,22 @@ class FileWatchTest {
         assertThat(watch.changed()).containsExactly(one);
     }
 
-    @Test void anotherTimeAloneIsNoChange() throws IOException {
+    @Test
+    void anotherTimeAloneIsNoChange() throws IOException {
         write("one.txt", "one", 99);
         assertThat(watch.changed()).isEmpty();
     }
 
-    @Test void aFileThatWentIsAChangeUntilItIsBack() throws IOException {
+    @Test
+    void aFileThatWentIsAChangeUntilItIsBack() throws IOException {
         Files.delete(one);
         assertThat(watch.changed()).containsExactly(one);
         write("one.txt", "one", 5);
         assertThat(watch.changed()).isEmpty();
     }
 
-    @Test void aFileThatWasNotThereMayCome() throws IOException {
+    @Test
+    void aFileThatWasNotThereMayCome() throws IOException {
         FileWatch early = new FileWatch(List.of(folder.resolve("three.txt")));
         assertThat(early.changed()).isEmpty();
         Path three = write("three.txt", "", 1);

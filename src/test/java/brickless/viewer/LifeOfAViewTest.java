@@ -32,11 +32,14 @@ class LifeOfAViewTest {
                 .filter(name -> name.startsWith("brickless") || name.startsWith("HTTP-Dispatcher")).sorted().toList();
     }
 
-    @Test void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
+    @Test
+    void aViewThatIsClosedLeavesNoThreadsAndTellsItsViewers() throws Exception {
         List<String> before = threads();
-        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator spectator = Spectator.of(visit.view)) {
+        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit);
+                Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitTime(60);
-            assertThat(threads()).contains("brickless-view-driver", "brickless-view-files", "brickless-view-http", "brickless-run");
+            assertThat(threads()).contains("brickless-view-driver", "brickless-view-files", "brickless-view-http",
+                    "brickless-run");
             visit.view.close();
             assertThat(threads()).isEqualTo(before);
             JsonFields last = spectator.await("state", state -> state.has("ended")).fields();
@@ -46,7 +49,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aViewThatNobodyWatchedNeverRan() throws Exception {
+    @Test
+    void aViewThatNobodyWatchedNeverRan() throws Exception {
         Path out = folder.resolve("out");
         try (Visit visit = Visit.to(TwoPollers.class, Visit.settings().out(Optional.of(out)).build(), 1)) {
             visit.view.close();
@@ -57,7 +61,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void theFilesOfTheRunAndWhatWasTouchedAreWritten() throws Exception {
+    @Test
+    void theFilesOfTheRunAndWhatWasTouchedAreWritten() throws Exception {
         Path out = folder.resolve("out");
         try (Visit visit = Visit.to(KeyWatch.class, Visit.settings().out(Optional.of(out)).build(), 1);
                 Spectator spectator = Spectator.of(visit.view)) {
@@ -70,7 +75,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void whatAViewerHoldsIsLetGoWhenItGoes() throws Exception {
+    @Test
+    void whatAViewerHoldsIsLetGoWhenItGoes() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator stays = Spectator.of(visit.view)) {
             try (Spectator goes = Spectator.of(visit.view)) {
                 long viewer = goes.await("begin").fields().integer("viewer");
@@ -81,7 +87,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aTouchMovesAHeldRunOnByOneStepAndNothingElseDoes() throws Exception {
+    @Test
+    void aTouchMovesAHeldRunOnByOneStepAndNothingElseDoes() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator stays = Spectator.of(visit.view)) {
             stays.awaitTime(0.05);
             visit.command("{'do':'pause'}");
@@ -92,13 +99,16 @@ class LifeOfAViewTest {
             visit.command("{'do':'hold','what':'key LEFT','down':true}");
             visit.command("{'do':'hold','what':'key LEFT','down':true}");
             visit.command("{'do':'hold','what':'push S1','down':false}");
-            assertThat(stays.await("state", state -> state.integer("touches") == 1).fields().nanos("t")).isEqualTo(held + 2_000_000);
+            assertThat(stays.await("state", state -> state.integer("touches") == 1).fields().nanos("t"))
+                    .isEqualTo(held + 2_000_000);
             visit.command("{'do':'hold','what':'key LEFT','down':false}");
-            assertThat(stays.await("state", state -> state.integer("touches") == 2).fields().nanos("t")).isEqualTo(held + 4_000_000);
+            assertThat(stays.await("state", state -> state.integer("touches") == 2).fields().nanos("t"))
+                    .isEqualTo(held + 4_000_000);
         }
     }
 
-    @Test void whatTwoViewersHoldIsHeldUntilBothLetGo() throws Exception {
+    @Test
+    void whatTwoViewersHoldIsHeldUntilBothLetGo() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1); Spectator spectator = Spectator.of(visit.view)) {
             visit.command("{'do':'hold','what':'key ENTER','down':true,'viewer':11}");
             visit.command("{'do':'hold','what':'key ENTER','down':true,'viewer':12}");
@@ -110,7 +120,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void holdsOfNobodyEndWithTheLastViewer() throws Exception {
+    @Test
+    void holdsOfNobodyEndWithTheLastViewer() throws Exception {
         try (Visit visit = Visit.to(KeyWatch.class, 1)) {
             try (Spectator only = Spectator.of(visit.view)) {
                 visit.command("{'do':'hold','what':'key LEFT','down':true}");
@@ -126,21 +137,25 @@ class LifeOfAViewTest {
     /** A viewer that does not read for a while. */
     private static Socket sleeper(Visit visit) throws IOException {
         Socket socket = new Socket();
-        socket.setReceiveBufferSize(2_048);
+        socket.setReceiveBufferSize(16_384);
         socket.setSoTimeout(40_000);
         socket.connect(new InetSocketAddress("127.0.0.1", visit.view.address().getPort()));
-        socket.getOutputStream().write(("GET " + visit.view.address().getPath() + "events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        socket.getOutputStream()
+                .write(("GET " + visit.view.address().getPath() + "events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
                 .getBytes(StandardCharsets.US_ASCII));
         return socket;
     }
 
-    @Test void aViewerThatSleepsDelaysNobodyAndCatchesUpWhenItWakes() throws Exception {
-        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit); Spectator awake = Spectator.of(visit.view)) {
+    @Test
+    void aViewerThatSleepsDelaysNobodyAndCatchesUpWhenItWakes() throws Exception {
+        try (Visit visit = Visit.to(TwoPollers.class, Speed.MAX); Socket sleeper = sleeper(visit);
+                Spectator awake = Spectator.of(visit.view)) {
             double asleep = awake.awaitTime(60).number("t");
             awake.await("frame", frame -> frame.number("t") > asleep + 60);
             visit.command("{'do':'pause'}");
             double held = awake.await("state", state -> !state.flag("running")).fields().number("t");
-            BufferedReader in = new BufferedReader(new InputStreamReader(sleeper.getInputStream(), StandardCharsets.UTF_8));
+            BufferedReader in = new BufferedReader(
+                    new InputStreamReader(sleeper.getInputStream(), StandardCharsets.UTF_8));
             String newest = "data: {\"t\":" + Decimals.text(held, 6) + ",\"session\":1,\"running\":false";
             int frames = 0;
             String line = in.readLine();
@@ -154,7 +169,8 @@ class LifeOfAViewTest {
         }
     }
 
-    @Test void aRestartedServerHasTheSameAddressIfPortAndTokenAreGiven() throws Exception {
+    @Test
+    void aRestartedServerHasTheSameAddressIfPortAndTokenAreGiven() throws Exception {
         String token = "abcdefghijklmnop-_0123456789";
         String address;
         int port;
@@ -172,10 +188,12 @@ class LifeOfAViewTest {
     }
 
     private static LiveView open(int port, String token) {
-        return LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed), ViewOptions.of(port, Optional.of(token), 1));
+        return LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed),
+                ViewOptions.of(port, Optional.of(token), 1));
     }
 
-    @Test void whatCannotBePreparedOpensNothing() {
+    @Test
+    void whatCannotBePreparedOpensNothing() {
         assertThatThrownBy(() -> LiveView.open(seed -> {
             throw new SetupException("no such program");
         }, ViewOptions.of(0, Optional.empty(), 1))).isInstanceOf(SetupException.class).hasMessage("no such program");

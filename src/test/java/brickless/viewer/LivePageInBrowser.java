@@ -8,10 +8,14 @@ import org.openqa.selenium.WebElement;
 
 /** The live page as a person sees it and touches it. */
 final class LivePageInBrowser {
-    private static final String ROBOT = "document.querySelector('.layer.robot').shadowRoot.querySelector('[data-robot-name]').getAttribute('transform')";
-    private static final String LCD = "(() => { const c = document.querySelector('canvas.lcd'); const d = c.getContext('2d').getImageData(0, 0, 178, 128).data;"
-            + " let text = ''; for (let i = 0; i < d.length; i += 4) { text += d[i] < 100 ? '#' : '.'; } return text; })()";
-    private static final String LINES = "[...document.querySelectorAll('#list-console .row-text')].map((row) => row.textContent)";
+    private static final String ROBOT = "document.querySelector('.layer.robot').shadowRoot"
+            + ".querySelector('[data-robot-name]').getAttribute('transform')";
+    private static final String LCD = "(() => { const c = document.querySelector('canvas.lcd'); const d = "
+            + "c.getContext('2d').getImageData(0, 0, 178, 128).data;"
+            + " let text = ''; for (let i = 0; i < d.length; i += 4) { text += d[i] < 100 ? '#' : '.'; } return "
+            + "text; })()";
+    private static final String LINES =
+            "[...document.querySelectorAll('#list-console .row-text')].map((row) => row.textContent)";
 
     private final Browser browser;
 
@@ -27,7 +31,8 @@ final class LivePageInBrowser {
     }
 
     void awaitTime(double seconds) {
-        browser.await("(([m, s]) => m * 60 + Number(s))(document.querySelector('.now').textContent.split(':')) >= " + seconds);
+        browser.await("(([m, s]) => m * 60 + Number(s))(document.querySelector('.now').textContent.split(':')) >= "
+                + seconds);
     }
 
     /** Waits until the program has printed a line. */
@@ -45,9 +50,13 @@ final class LivePageInBrowser {
         browser.await("document.body.dataset.run === '" + state + "'");
     }
 
-    /** Waits until the server has told its state a number of times more, as to a viewer of its own, which then leaves; the run's time in seconds. */
+    /**
+     * Waits until the server has told its state a number of times more, as to a viewer of its own, which then leaves;
+     * the run's time in seconds.
+     */
     double awaitStates(int count) {
-        browser.run("window.told = []; window.ears = new EventSource('events'); window.ears.addEventListener('state', (state) => window.told.push(JSON.parse(state.data).t));");
+        browser.run("window.told = []; window.ears = new EventSource('events'); "
+                + "window.ears.addEventListener('state', (state) => window.told.push(JSON.parse(state.data).t));");
         browser.await("window.told.length >= " + count);
         browser.run("window.ears.close()");
         return ((Number) browser.value("window.told.at(-1)")).doubleValue();
@@ -87,7 +96,8 @@ final class LivePageInBrowser {
 
     /** The stimuli file that the page offers. */
     String stimuli() {
-        browser.run("window.saved = undefined; fetch(document.querySelector('.save').href).then((answer) => answer.text()).then((text) => { window.saved = text; });");
+        browser.run("window.saved = undefined; fetch(document.querySelector('.save').href).then((answer) => "
+                + "answer.text()).then((text) => { window.saved = text; });");
         browser.await("window.saved !== undefined");
         return (String) browser.value("window.saved");
     }

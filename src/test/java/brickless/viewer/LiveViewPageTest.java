@@ -32,22 +32,26 @@ class LiveViewPageTest {
     private PadSource source;
     private LiveView view;
 
-    @BeforeAll static void openTheBrowser() {
+    @BeforeAll
+    static void openTheBrowser() {
         browser = new Browser(1280, 720);
     }
 
-    @AfterAll static void closeTheBrowser() {
+    @AfterAll
+    static void closeTheBrowser() {
         if (browser != null) {
             browser.close();
         }
     }
 
-    @BeforeEach void watchTheProgram() throws Exception {
+    @BeforeEach
+    void watchTheProgram() throws Exception {
         source = new PadSource(folder, LONG);
         view = LiveView.open(source, ViewOptions.of(0, Optional.empty(), 1));
     }
 
-    @AfterEach void closeTheView() {
+    @AfterEach
+    void closeTheView() {
         browser.load("about:blank");
         view.close();
     }
@@ -58,13 +62,14 @@ class LiveViewPageTest {
         return page;
     }
 
-    private HttpResponse<String> post(String address, String body) throws Exception {
+    private static HttpResponse<String> post(String address, String body) throws Exception {
         HttpRequest request = HttpRequest.newBuilder(URI.create(address)).header("Content-Type", "application/json")
                 .POST(HttpRequest.BodyPublishers.ofString(body)).build();
         return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString());
     }
 
-    @Test void keysOfTheKeyboardReachTheProgramAsLongAsTheyAreHeld() {
+    @Test
+    void keysOfTheKeyboardReachTheProgramAsLongAsTheyAreHeld() {
         LivePageInBrowser page = page();
         browser.hands().keyDown(Keys.ARROW_DOWN).perform();
         page.awaitLine("Down down");
@@ -76,7 +81,8 @@ class LiveViewPageTest {
         page.awaitLine("Enter up");
     }
 
-    @Test void keysOfTheBrickReachTheProgramAsLongAsTheyAreHeld() {
+    @Test
+    void keysOfTheBrickReachTheProgramAsLongAsTheyAreHeld() {
         LivePageInBrowser page = page();
         page.press(".key-left");
         page.awaitLine("Left down");
@@ -87,10 +93,12 @@ class LiveViewPageTest {
         page.awaitLine("Left up");
     }
 
-    @Test void tonesArePlayedUnlessSoundIsOff() {
+    @Test
+    void tonesArePlayedUnlessSoundIsOff() {
         LivePageInBrowser page = page();
         browser.run("window.tones = 0; const start = OscillatorNode.prototype.start;"
-                + "OscillatorNode.prototype.start = function (...when) { window.tones += this.frequency.value === 440 ? 1 : 0; start.apply(this, when); };");
+                + "OscillatorNode.prototype.start = function (...when) { window.tones += this.frequency.value === 440 "
+                + "? 1 : 0; start.apply(this, when); };");
         browser.hands().sendKeys("m").sendKeys("m").sendKeys(Keys.ARROW_LEFT).perform();
         browser.await("window.tones === 1");
         browser.hands().sendKeys("m").perform();
@@ -100,7 +108,8 @@ class LiveViewPageTest {
         assertThat(browser.value("window.tones")).isEqualTo(1L);
     }
 
-    @Test void aKeyIsLetGoWhenThePageLosesTheFocus() {
+    @Test
+    void aKeyIsLetGoWhenThePageLosesTheFocus() {
         LivePageInBrowser page = page();
         page.press(".key-enter");
         page.awaitLine("Enter down");
@@ -109,7 +118,8 @@ class LiveViewPageTest {
         page.release();
     }
 
-    @Test void theTouchSensorIsHeldAtItsPortAndOnTheDrawing() {
+    @Test
+    void theTouchSensorIsHeldAtItsPortAndOnTheDrawing() {
         LivePageInBrowser page = page();
         page.press(".port.touch");
         page.awaitLine("bumper down");
@@ -121,7 +131,8 @@ class LiveViewPageTest {
         browser.await("document.querySelector('.port.touch .port-value').textContent === 'released'");
     }
 
-    @Test void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
+    @Test
+    void theScreenShowsThePixelsThatTheProgramHas() throws Exception {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_UP).perform();
         page.awaitLine("Up up");
@@ -138,7 +149,8 @@ class LiveViewPageTest {
         assertThat(shown).isEqualTo(dots.toString()).contains("####").endsWith("..#");
     }
 
-    @Test void whatTheProgramPrintsIsNeverMarkup() {
+    @Test
+    void whatTheProgramPrintsIsNeverMarkup() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_RIGHT).perform();
         page.awaitLine("Right up");
@@ -146,10 +158,12 @@ class LiveViewPageTest {
         assertThat(browser.value("document.querySelectorAll('img, b').length")).isEqualTo(0L);
     }
 
-    @Test void aRobotIsDraggedAndTurned() {
+    @Test
+    void aRobotIsDraggedAndTurned() {
         LivePageInBrowser page = page();
         double[] before = page.pose();
-        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(40, 20).moveByOffset(40, 20).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(40, 20)
+                .moveByOffset(40, 20).release().perform();
         double x = before[0] + 80 * page.scale();
         double y = before[1] + 40 * page.scale();
         page.awaitPose("Math.abs(x - %s) < 6 && Math.abs(y - %s) < 6 && Math.abs(heading) < 1".formatted(x, y));
@@ -158,11 +172,14 @@ class LiveViewPageTest {
         page.awaitPose("Math.abs(x - %s) < 6 && Math.abs(heading - 5) < 1".formatted(x - 10));
     }
 
-    @Test void aBoxIsDraggedAndTakenAway() {
+    @Test
+    void aBoxIsDraggedAndTakenAway() {
         LivePageInBrowser page = page();
-        browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10)
+                .release().perform();
         String world = "document.querySelector('.layer.world').shadowRoot.getElementById('tin')";
-        browser.await("(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < 4)((%s.dataset.displacement || '0 0').split(' ').map(Number))"
+        browser.await("(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < "
+                + "4)((%s.dataset.displacement || '0 0').split(' ').map(Number))"
                 .formatted(30 * page.scale(), 10 * page.scale(), world));
         browser.run("document.querySelector('[data-name=tin]').focus()");
         browser.hands().sendKeys(Keys.DELETE).perform();
@@ -170,7 +187,8 @@ class LiveViewPageTest {
         assertThat(page.stimuli()).contains("move tin ").contains("remove tin");
     }
 
-    @Test void pauseStopsTimeAndStepsGoOnABit() {
+    @Test
+    void pauseStopsTimeAndStepsGoOnABit() {
         LivePageInBrowser page = page();
         browser.click(".play");
         page.awaitRun("paused");
@@ -185,11 +203,13 @@ class LiveViewPageTest {
         page.awaitTime(held + 0.5);
     }
 
-    @Test void speedIsChangedForAllViewers() {
+    @Test
+    void speedIsChangedForAllViewers() {
         LivePageInBrowser page = page();
         try (Browser other = new Browser(390, 844)) {
             LivePageInBrowser second = new LivePageInBrowser(other, view);
-            browser.run("const s = document.querySelector('.controls .speed'); s.value = '10'; s.dispatchEvent(new Event('change'));");
+            browser.run("const s = document.querySelector('.controls .speed'); s.value = '10'; "
+                    + "s.dispatchEvent(new Event('change'));");
             other.await("document.querySelector('.controls .speed').value === '10'");
             browser.await("parseFloat(document.querySelector('.rate').textContent) > 2");
             second.awaitLine("HELLO");
@@ -199,7 +219,8 @@ class LiveViewPageTest {
         page.awaitTime(left + 1);
     }
 
-    @Test void restartBeginsAnew() {
+    @Test
+    void restartBeginsAnew() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ENTER).perform();
         page.awaitLine("Enter up");
@@ -214,26 +235,31 @@ class LiveViewPageTest {
         assertThat((String) browser.value("document.querySelector('.setting').textContent")).doesNotEndWith("seed 1");
     }
 
-    @Test void aSessionWithTouchesIsRepeatedFromItsStimuli() throws Exception {
+    @Test
+    void aSessionWithTouchesIsRepeatedFromItsStimuli() throws Exception {
         LivePageInBrowser page = page();
         page.press(".key-enter");
         page.awaitLine("Enter down");
         page.release();
         page.awaitLine("Enter up");
-        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(25, 15).moveByOffset(25, -30).release().perform();
+        browser.hands().clickAndHold(page.element("[data-name=robot] .handle-shape polygon")).moveByOffset(25, 15)
+                .moveByOffset(25, -30).release().perform();
         browser.click(".clap");
-        browser.run("const b = document.getElementById('battery'); b.value = '6.4'; b.dispatchEvent(new Event('input')); b.dispatchEvent(new Event('change'));");
+        browser.run("const b = document.getElementById('battery'); b.value = '6.4'; "
+                + "b.dispatchEvent(new Event('input')); b.dispatchEvent(new Event('change'));");
         page.press("[data-remote=TOP_LEFT]");
         page.release();
         browser.hands().sendKeys(Keys.ESCAPE).perform();
         page.awaitRun("ended");
         assertThat(page.status()).isEqualTo("exited");
         String stimuli = page.stimuli();
-        assertThat(stimuli).contains("hold key ENTER").contains("move robot ").contains("clap 80dB").contains("battery 6.4V").contains("remote 1 TOP_LEFT");
+        assertThat(stimuli).contains("hold key ENTER").contains("move robot ").contains("clap 80dB")
+                .contains("battery 6.4V").contains("remote 1 TOP_LEFT");
         assertThat(source.headless(stimuli).traceHash()).isEqualTo(page.hash());
     }
 
-    @Test void whenTheProgramHasEndedThePageSaysSo() {
+    @Test
+    void whenTheProgramHasEndedThePageSaysSo() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.BACK_SPACE).perform();
         page.awaitRun("ended");
@@ -246,7 +272,8 @@ class LiveViewPageTest {
         page.awaitRun("running");
     }
 
-    @Test void aSecondViewerSeesTheSameAndLeavesWithoutATrace() {
+    @Test
+    void aSecondViewerSeesTheSameAndLeavesWithoutATrace() {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ARROW_UP).perform();
         page.awaitLine("Up up");
@@ -267,7 +294,8 @@ class LiveViewPageTest {
         page.awaitTime(page.time() + 0.5);
     }
 
-    @Test void thePageFindsAServerThatWasRestarted() throws Exception {
+    @Test
+    void thePageFindsAServerThatWasRestarted() throws Exception {
         LivePageInBrowser page = page();
         browser.hands().sendKeys(Keys.ENTER).perform();
         page.awaitLine("Enter up");
@@ -284,7 +312,8 @@ class LiveViewPageTest {
         page.awaitLine("Enter up");
     }
 
-    @Test void aChangedProgramIsOfferedAndRestarted() throws Exception {
+    @Test
+    void aChangedProgramIsOfferedAndRestarted() throws Exception {
         LivePageInBrowser page = page();
         source.edit("HELLO", "GOOD MORNING");
         browser.await("document.querySelector('[data-notice=changed]')");
@@ -294,7 +323,8 @@ class LiveViewPageTest {
         browser.await("!document.querySelector('[data-notice=changed]')");
     }
 
-    @Test void aProgramThatDoesNotCompileIsToldAndTheRunGoesOn() throws Exception {
+    @Test
+    void aProgramThatDoesNotCompileIsToldAndTheRunGoesOn() throws Exception {
         LivePageInBrowser page = page();
         source.edit("LCD.clear();", "LCD.cleer();");
         browser.await("document.querySelector('[data-notice=changed]')");
@@ -305,7 +335,8 @@ class LiveViewPageTest {
         page.awaitTime(page.time() + 0.3);
     }
 
-    @Test void whoeverDoesNotKnowTheTokenSeesNothing() throws Exception {
+    @Test
+    void whoeverDoesNotKnowTheTokenSeesNothing() throws Exception {
         String wrong = view.address().toString().replaceFirst("/[^/]{16,}/$", "/AAAAAAAAAAAAAAAAAAAAAA/");
         browser.load(wrong);
         assertThat(browser.value("document.querySelector('#arena')")).isNull();
@@ -313,7 +344,8 @@ class LiveViewPageTest {
         assertThat(post(view.address() + "do", "{\"do\":\"pause\"}").statusCode()).isEqualTo(204);
     }
 
-    @Test void aRequestThatIsTooLargeIsRefused() throws Exception {
+    @Test
+    void aRequestThatIsTooLargeIsRefused() throws Exception {
         String padding = " ".repeat(4096);
         assertThat(post(view.address() + "do", "{\"do\":\"pause\"}" + padding).statusCode()).isEqualTo(413);
     }

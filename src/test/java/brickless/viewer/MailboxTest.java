@@ -18,7 +18,8 @@ class MailboxTest {
         return mailbox.take().stream().map(bytes -> new String(bytes, StandardCharsets.UTF_8)).toList();
     }
 
-    @Test void messagesComeInTheOrderInWhichAPageNeedsThem() throws InterruptedException {
+    @Test
+    void messagesComeInTheOrderInWhichAPageNeedsThem() throws InterruptedException {
         mailbox.begin(message("begin"));
         mailbox.state(message("state"));
         mailbox.frame(message("frame"));
@@ -27,7 +28,8 @@ class MailboxTest {
         assertThat(taken()).containsExactly("begin", "event", "sample", "frame", "state");
     }
 
-    @Test void onlyTheNewestFrameAndStateAreKept() throws InterruptedException {
+    @Test
+    void onlyTheNewestFrameAndStateAreKept() throws InterruptedException {
         mailbox.frame(message("old frame"));
         mailbox.state(message("old state"));
         mailbox.frame(message("frame"));
@@ -35,7 +37,8 @@ class MailboxTest {
         assertThat(taken()).containsExactly("frame", "state");
     }
 
-    @Test void oldSamplesMakeRoomAndEventsDoNot() throws InterruptedException {
+    @Test
+    void oldSamplesMakeRoomAndEventsDoNot() throws InterruptedException {
         IntStream.range(0, 100).forEach(i -> mailbox.sample(message("s" + i)));
         IntStream.range(0, 100).forEach(i -> mailbox.event(message("e" + i)));
         List<String> taken = taken();
@@ -43,7 +46,8 @@ class MailboxTest {
         assertThat(taken).filteredOn(text -> text.startsWith("s")).hasSize(64).startsWith("s36").endsWith("s99");
     }
 
-    @Test void tooManyEventsAreReplacedByANewBeginning() throws InterruptedException {
+    @Test
+    void tooManyEventsAreReplacedByANewBeginning() throws InterruptedException {
         byte[] megabyte = new byte[1 << 20];
         IntStream.range(0, 5).forEach(i -> mailbox.event(megabyte));
         mailbox.event(message("later"));
@@ -56,14 +60,16 @@ class MailboxTest {
         assertThat(taken()).containsExactly("begin", "event");
     }
 
-    @Test void aBeginningReplacesEverythingBeforeIt() throws InterruptedException {
+    @Test
+    void aBeginningReplacesEverythingBeforeIt() throws InterruptedException {
         mailbox.event(message("of the last run"));
         mailbox.frame(message("of the last run"));
         mailbox.begin(message("begin"));
         assertThat(taken()).containsExactly("begin");
     }
 
-    @Test void whatWasThereWhenItClosedCanStillBeTaken() throws InterruptedException {
+    @Test
+    void whatWasThereWhenItClosedCanStillBeTaken() throws InterruptedException {
         mailbox.state(message("last"));
         mailbox.close();
         assertThat(mailbox.finished()).isFalse();

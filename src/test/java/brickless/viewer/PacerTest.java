@@ -17,13 +17,15 @@ class PacerTest {
         assertThat(pacer.due(7 * SECOND)).isEqualTo(SECOND + millis * 1_000_000);
     }
 
-    @Test void atMaximumSpeedEverythingIsDueUntilTheRunShouldRest() {
+    @Test
+    void atMaximumSpeedEverythingIsDueUntilTheRunShouldRest() {
         Pacer pacer = new Pacer(Speed.MAX);
         assertThat(pacer.reached(SECOND, 12)).isFalse();
         assertThat(pacer.due(SECOND)).isEqualTo(Pacer.REST_NANOS);
     }
 
-    @Test void aRunRestsAfterTenHoursAndAfterTenMore() {
+    @Test
+    void aRunRestsAfterTenHoursAndAfterTenMore() {
         Pacer pacer = new Pacer(100);
         pacer.restart(0, Pacer.REST_NANOS - SECOND);
         assertThat(pacer.due(SECOND)).isEqualTo(Pacer.REST_NANOS);
@@ -36,7 +38,8 @@ class PacerTest {
         assertThat(pacer.due(Long.MAX_VALUE / 200)).as("of a new run").isEqualTo(Pacer.REST_NANOS);
     }
 
-    @Test void anotherSpeedGoesOnFromWhereTheRunIs() {
+    @Test
+    void anotherSpeedGoesOnFromWhereTheRunIs() {
         Pacer pacer = new Pacer(1);
         pacer.restart(0, 0);
         pacer.setSpeed(10, 2 * SECOND, 2 * SECOND);
@@ -44,7 +47,8 @@ class PacerTest {
         assertThat(pacer.speed()).isEqualTo(10);
     }
 
-    @Test void aSmallLagIsCaughtUpAndALargeOneDropped() {
+    @Test
+    void aSmallLagIsCaughtUpAndALargeOneDropped() {
         Pacer pacer = new Pacer(1);
         pacer.restart(0, 0);
         pacer.reached(SECOND, SECOND - 150_000_000);

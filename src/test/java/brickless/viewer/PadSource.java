@@ -87,10 +87,12 @@ final class PadSource implements RunSource {
         Files.writeString(file, PROGRAM);
     }
 
-    @Override public Prepared prepare(OptionalLong seed) {
+    @Override
+    public Prepared prepare(OptionalLong seed) {
         try {
             Program program = new ProgramFinder(file.getParent(), List.of(), Optional.empty()).find(file.toString());
-            return new Prepared(program, settings(seed.orElse(1)), List.of(file), time -> "brickless run Pad.java --stimuli stimuli.txt");
+            return new Prepared(program, settings(seed.orElse(1)), List.of(file),
+                    time -> "brickless run Pad.java --stimuli stimuli.txt");
         } catch (ProgramException | DescriptionException e) {
             throw new SetupException(e.getMessage());
         }
@@ -98,7 +100,8 @@ final class PadSource implements RunSource {
 
     private SimulationSettings settings(long seed) throws DescriptionException {
         Library library = new Library(HOME);
-        return SimulationSettings.builder(library.world("sim/worlds/pen.svg")).robot(library.robot("sim/robots/educator.svg")).seed(seed).attended(true)
+        return SimulationSettings.builder(library.world("sim/worlds/pen.svg"))
+                .robot(library.robot("sim/robots/educator.svg")).seed(seed).attended(true)
                 .pressButtons(false).limit(limit).out(Optional.of(out)).build();
     }
 
@@ -119,7 +122,8 @@ final class PadSource implements RunSource {
     /** Runs the program without anybody watching. */
     RunReport headless(String stimuli) throws Exception {
         try (Program program = new ProgramFinder(file.getParent(), List.of(), Optional.empty()).find(file.toString());
-                Run run = new Simulation(settings(1).toBuilder().stimuli(StimuliReader.readText("stimuli", stimuli)).out(Optional.empty()).build()).start(program)) {
+                Run run = new Simulation(settings(1).toBuilder().stimuli(StimuliReader.readText("stimuli", stimuli))
+                        .out(Optional.empty()).build()).start(program)) {
             run.toEnd();
             return run.report();
         }

@@ -29,22 +29,25 @@ class RestartTest {
     private Path source;
     private volatile RunSource.Prepared latest;
 
-    @BeforeEach void writeProgram() throws IOException {
+    @BeforeEach
+    void writeProgram() throws IOException {
         source = folder.resolve("Talk.java");
         write("first");
     }
 
     private void write(String text) throws IOException {
-        Files.writeString(source, "public class Talk { public static void main(String[] args) throws Exception { System.out.println(\"" + text
-                + "\"); Thread.sleep(1000000); } }\n");
+        Files.writeString(source, "public class Talk { public static void main(String[] args) throws Exception { "
+                + "System.out.println(\"" + text + "\"); Thread.sleep(1000000); } }\n");
     }
 
     /** The program in the folder, as the command line finds it. */
     private RunSource.Prepared prepare(OptionalLong seed) {
         try {
             Program program = new ProgramFinder(folder, List.of(), Optional.empty()).find("Talk.java");
-            SimulationSettings settings = Visit.settings().seed(seed.orElse(1)).out(Optional.of(folder.resolve("out"))).build();
-            latest = new RunSource.Prepared(program, settings, ProgramFiles.of(folder, program), limit -> "brickless run");
+            SimulationSettings settings = Visit.settings().seed(seed.orElse(1))
+                    .out(Optional.of(folder.resolve("out"))).build();
+            latest = new RunSource.Prepared(program, settings, ProgramFiles.of(folder, program),
+                    limit -> "brickless run");
             return latest;
         } catch (ProgramException e) {
             throw new SetupException(e.getMessage());
@@ -55,8 +58,10 @@ class RestartTest {
         return Visit.to(this::prepare, 1);
     }
 
-    @Test void aRestartBeginsTheSameAgainForAllViewers() throws Exception {
-        try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator one = Spectator.of(visit.view); Spectator two = Spectator.of(visit.view)) {
+    @Test
+    void aRestartBeginsTheSameAgainForAllViewers() throws Exception {
+        try (Visit visit = Visit.to(TwoPollers.class, 1); Spectator one = Spectator.of(visit.view);
+                Spectator two = Spectator.of(visit.view)) {
             one.awaitTime(0.3);
             visit.command("{'do':'touch','stimulus':'clap 80dB'}");
             visit.command("{'do':'restart'}");
@@ -66,14 +71,17 @@ class RestartTest {
                 assertThat(viewer.await("state").fields().integer("touches")).isZero();
             }
             visit.command("{'do':'restart','seed':7}");
-            assertThat(one.await("begin", fields -> fields.integer("session") == 3).fields().integer("seed")).isEqualTo(7);
+            assertThat(one.await("begin", fields -> fields.integer("session") == 3).fields().integer("seed"))
+                    .isEqualTo(7);
             visit.command("{'do':'restart'}");
-            assertThat(one.await("begin", fields -> fields.integer("session") == 4).fields().integer("seed")).as("the last one").isEqualTo(7);
+            assertThat(one.await("begin", fields -> fields.integer("session") == 4).fields().integer("seed"))
+                    .as("the last one").isEqualTo(7);
             one.awaitTime(0.2);
         }
     }
 
-    @Test void anEditedProgramIsOfferedAndRunsAfterARestart() throws Exception {
+    @Test
+    void anEditedProgramIsOfferedAndRunsAfterARestart() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitEvent("\"text\":\"first\"");
             write("second");
@@ -87,7 +95,8 @@ class RestartTest {
         assertThat(folder.resolve("out/console.txt")).as("of two robots").hasContent("second\nsecond\n");
     }
 
-    @Test void aChangeThatIsTakenBackIsNoChange() throws Exception {
+    @Test
+    void aChangeThatIsTakenBackIsNoChange() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             write("other");
             spectator.await("state", fields -> !fields.texts("changed").isEmpty());
@@ -96,7 +105,8 @@ class RestartTest {
         }
     }
 
-    @Test void aProgramThatDoesNotCompileLeavesTheOldRunGoing() throws Exception {
+    @Test
+    void aProgramThatDoesNotCompileLeavesTheOldRunGoing() throws Exception {
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             spectator.awaitEvent("\"text\":\"first\"");
             Files.writeString(source, "public class Talk { public static void main(String[] args) { oops } }\n");
@@ -114,7 +124,8 @@ class RestartTest {
         }
     }
 
-    @Test void aRunThatEndedIsNotTouchedButRestarted() throws Exception {
+    @Test
+    void aRunThatEndedIsNotTouchedButRestarted() throws Exception {
         Files.writeString(source, "public class Talk { public static void main(String[] args) { System.exit(3); } }\n");
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             JsonFields ended = spectator.await("state", state -> state.has("ended")).fields();
@@ -123,14 +134,16 @@ class RestartTest {
             assertThat(ended.object("ended").integer("exitStatus")).isEqualTo(3);
             for (String command : List.of("{'do':'play'}", "{'do':'step'}", "{'do':'touch','stimulus':'clap 80dB'}",
                     "{'do':'hold','what':'key ENTER','down':true}")) {
-                assertThat(visit.post(command.replace('\'', '"')).body()).as(command).contains("the run has ended; restart it");
+                assertThat(visit.post(command.replace('\'', '"')).body()).as(command)
+                        .contains("the run has ended; restart it");
             }
             visit.command("{'do':'restart'}");
             spectator.await("state", state -> state.integer("session") == 2 && state.has("ended"));
         }
     }
 
-    @Test void temporaryClassesAreRemovedWithTheirRun() throws Exception {
+    @Test
+    void temporaryClassesAreRemovedWithTheirRun() throws Exception {
         Path first;
         try (Visit visit = visit(); Spectator spectator = Spectator.of(visit.view)) {
             first = classes();

@@ -44,7 +44,8 @@ final class Spectator implements AutoCloseable {
     /** Joins a view. */
     static Spectator of(LiveView view) throws IOException, InterruptedException {
         HttpResponse<InputStream> response = HttpClient.newHttpClient().send(
-                HttpRequest.newBuilder(URI.create(view.address() + "events")).build(), HttpResponse.BodyHandlers.ofInputStream());
+                HttpRequest.newBuilder(URI.create(view.address() + "events")).build(),
+                HttpResponse.BodyHandlers.ofInputStream());
         if (response.statusCode() != 200) {
             throw new IOException("status " + response.statusCode());
         }
@@ -94,8 +95,8 @@ final class Spectator implements AutoCloseable {
             }
             long left = (end - System.nanoTime()) / 1_000_000;
             if (over || left <= 0) {
-                throw new AssertionError((over ? "the stream ended" : "nothing came in time") + " without the expected " + name + "; last: "
-                        + messages.subList(Math.max(0, messages.size() - 3), messages.size()));
+                throw new AssertionError((over ? "the stream ended" : "nothing came in time") + " without the expected "
+                        + name + "; last: " + messages.subList(Math.max(0, messages.size() - 3), messages.size()));
             }
             wait(left);
         }
@@ -110,7 +111,10 @@ final class Spectator implements AutoCloseable {
         return await("state", state -> state.number("t") >= seconds).fields();
     }
 
-    /** Waits for the next event whose line holds a text; every event is looked at once, however many came in one message. */
+    /**
+     * Waits for the next event whose line holds a text; every event is looked at once, however many came in one
+     * message.
+     */
     synchronized void awaitEvent(String part) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE.toNanos();
         while (true) {
@@ -144,7 +148,8 @@ final class Spectator implements AutoCloseable {
         return List.copyOf(messages);
     }
 
-    @Override public void close() throws IOException {
+    @Override
+    public void close() throws IOException {
         stream.close();
     }
 }

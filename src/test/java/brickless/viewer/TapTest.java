@@ -19,7 +19,8 @@ class TapTest {
         tap.event(millis * 1_000_000, robot, new TraceEvent.ScreenEvent(List.of(row), List.of(pixels)));
     }
 
-    @Test void eventsComeOnceAndInOrder() {
+    @Test
+    void eventsComeOnceAndInOrder() {
         tap.event(1_000_000, "robot", new TraceEvent.LedEvent(1));
         tap.event(2_000_000, "robot", new TraceEvent.PrintEvent("hello", false));
         assertThat(tap.takeEvents()).containsExactly("{\"t\":0.001,\"type\":\"led\",\"robot\":\"robot\",\"pattern\":1}",
@@ -27,7 +28,8 @@ class TapTest {
         assertThat(tap.takeEvents()).isEmpty();
     }
 
-    @Test void changesOfOneScreenAreAddedUp() {
+    @Test
+    void changesOfOneScreenAreAddedUp() {
         screen(1, "one", 5, "aa");
         screen(2, "two", 5, "bb");
         tap.event(3_000_000, "one", new TraceEvent.LedEvent(1));
@@ -37,17 +39,20 @@ class TapTest {
         assertThat(lines).hasSize(3);
         assertThat(lines.get(0)).contains("\"robot\":\"two\"", "\"rows\":[5],\"pixels\":[\"bb\"]");
         assertThat(lines.get(1)).contains("led");
-        assertThat(lines.get(2)).contains("\"t\":0.005", "\"robot\":\"one\"", "\"rows\":[3,5],\"pixels\":[\"cc\",\"dd\"]");
+        assertThat(lines.get(2)).contains("\"t\":0.005", "\"robot\":\"one\"",
+                "\"rows\":[3,5],\"pixels\":[\"cc\",\"dd\"]");
     }
 
-    @Test void onlyTheNewestSampleIsNew() {
+    @Test
+    void onlyTheNewestSampleIsNew() {
         tap.sample(new Sample(0, List.of(), List.of()));
         tap.sample(new Sample(50_000_000, List.of(), List.of()));
         assertThat(tap.takeSample().orElseThrow().timeNanos()).isEqualTo(50_000_000);
         assertThat(tap.takeSample()).isEmpty();
     }
 
-    @Test void whatIsSkippedIsStillRecorded() {
+    @Test
+    void whatIsSkippedIsStillRecorded() {
         tap.event(1_000_000, "robot", new TraceEvent.PrintEvent("hello", false));
         tap.sample(new Sample(0, List.of(), List.of()));
         tap.skip();

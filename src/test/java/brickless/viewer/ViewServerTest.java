@@ -33,11 +33,13 @@ import programs.robots.TwoPollers;
 class ViewServerTest {
     private static Visit visit;
 
-    @BeforeAll static void open() {
+    @BeforeAll
+    static void open() {
         visit = Visit.to(TwoPollers.class, 1);
     }
 
-    @AfterAll static void close() {
+    @AfterAll
+    static void close() {
         visit.close();
     }
 
@@ -61,18 +63,22 @@ class ViewServerTest {
             OutputStream out = socket.getOutputStream();
             out.write((head + "\r\nConnection: close\r\n\r\n").getBytes(StandardCharsets.US_ASCII));
             out.flush();
-            String line = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.US_ASCII)).readLine();
+            String line = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.US_ASCII))
+                    .readLine();
             return line == null ? "closed" : line;
         }
     }
 
-    @Test void theAddressHoldsATokenOf128RandomBits() {
+    @Test
+    void theAddressHoldsATokenOf128RandomBits() {
         assertThat(visit.view.address().getHost()).isEqualTo("127.0.0.1");
         assertThat(visit.view.address().getPath()).matches("/[A-Za-z0-9_-]{22}/");
-        assertThat(ViewOptions.of(0, Optional.empty(), 1).token()).isNotEqualTo(ViewOptions.of(0, Optional.empty(), 1).token());
+        assertThat(ViewOptions.of(0, Optional.empty(), 1).token())
+                .isNotEqualTo(ViewOptions.of(0, Optional.empty(), 1).token());
     }
 
-    @Test void thePageIsServedAndNothingMayKeepOrFrameIt() throws Exception {
+    @Test
+    void thePageIsServedAndNothingMayKeepOrFrameIt() throws Exception {
         HttpResponse<String> page = visit.get("");
         assertThat(page.statusCode()).isEqualTo(200);
         assertThat(page.headers().firstValue("Content-Type")).contains("text/html; charset=utf-8");
@@ -82,35 +88,43 @@ class ViewServerTest {
         assertThat(page.body()).contains("<html", "Content-Security-Policy");
     }
 
-    @Test void theAddressWithoutItsSlashLeadsToThePage() throws Exception {
+    @Test
+    void theAddressWithoutItsSlashLeadsToThePage() throws Exception {
         String address = visit.view.address().toString();
-        HttpResponse<String> answer = visit.send(HttpRequest.newBuilder(URI.create(address.substring(0, address.length() - 1))));
+        HttpResponse<String> answer =
+                visit.send(HttpRequest.newBuilder(URI.create(address.substring(0, address.length() - 1))));
         assertThat(answer.statusCode()).isEqualTo(301);
         assertThat(answer.headers().firstValue("Location")).contains(visit.view.address().getPath());
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"/", "/x/", "/0123456789abcdefghijkl/", "/0123456789abcdefghijkl/events", "/favicon.ico", "/%2e%2e/"})
+    @ValueSource(strings = {"/", "/x/", "/0123456789abcdefghijkl/", "/0123456789abcdefghijkl/events",
+            "/favicon.ico", "/%2e%2e/"})
     void whoDoesNotKnowTheTokenIsRefused(String path) throws Exception {
         assertRefused(visit.send(HttpRequest.newBuilder(elsewhere(path))), 403);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nothing", "../events", "../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "report/theme.css", "events/"})
+    @ValueSource(strings = {"nothing", "../events", "../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd",
+            "report/theme.css", "events/"})
     void thereAreNoOtherPages(String resource) throws Exception {
-        assertThat(raw("GET " + visit.view.address().getPath() + resource + " HTTP/1.1\r\nHost: 127.0.0.1")).contains(" 404 ");
+        assertThat(raw("GET " + visit.view.address().getPath() + resource + " HTTP/1.1\r\nHost: 127.0.0.1"))
+                .contains(" 404 ");
     }
 
-    @Test void requestsOfOtherPagesAreRefused() throws Exception {
+    @Test
+    void requestsOfOtherPagesAreRefused() throws Exception {
         HttpRequest.Builder foreign = json("{\"do\":\"pause\"}").header("Origin", "http://evil.example");
         assertRefused(visit.send(foreign), 403);
         assertRefused(visit.send(json("{\"do\":\"pause\"}").header("Origin", "null")), 403);
         assertRefused(visit.send(json("{\"do\":\"pause\"}").header("Origin", "http://127.0.0.1:1")), 403);
         String own = "http://localhost:" + visit.view.address().getPort();
-        assertThat(visit.send(json("{\"do\":\"speed\",\"value\":1}").header("Origin", own)).statusCode()).isEqualTo(204);
+        assertThat(visit.send(json("{\"do\":\"speed\",\"value\":1}").header("Origin", own)).statusCode())
+                .isEqualTo(204);
     }
 
-    @Test void requestsForOtherHostsAreRefused() throws IOException {
+    @Test
+    void requestsForOtherHostsAreRefused() throws IOException {
         String path = visit.view.address().getPath();
         int port = visit.view.address().getPort();
         assertThat(raw("GET " + path + " HTTP/1.1\r\nHost: evil.example")).contains(" 403 ");
@@ -122,21 +136,25 @@ class ViewServerTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"GET http://127.0.0.1 HTTP/1.1", "GET * HTTP/1.1", "GET foo:bar HTTP/1.1", "NONSENSE", "GET // HTTP/1.1", "GET / HTTP/9.9"})
+    @ValueSource(strings = {"GET http://127.0.0.1 HTTP/1.1", "GET * HTTP/1.1", "GET foo:bar HTTP/1.1", "NONSENSE",
+            "GET // HTTP/1.1", "GET / HTTP/9.9"})
     void oddRequestsDoNoHarm(String line) throws Exception {
         assertThat(raw(line + "\r\nHost: 127.0.0.1")).doesNotContain(" 200 ");
         assertThat(visit.get("").statusCode()).isEqualTo(200);
     }
 
-    @Test void theServerListensOnThisMachineOnly() throws Exception {
+    @Test
+    void theServerListensOnThisMachineOnly() throws Exception {
         for (NetworkInterface network : NetworkInterface.networkInterfaces().toList()) {
             for (InetAddress address : network.inetAddresses().filter(a -> !a.isLoopbackAddress()).toList()) {
-                assertThatThrownBy(() -> new Socket(address, visit.view.address().getPort()).close()).isInstanceOf(IOException.class);
+                assertThatThrownBy(() -> new Socket(address, visit.view.address().getPort()).close())
+                        .isInstanceOf(IOException.class);
             }
         }
     }
 
-    @Test void bodiesOverTheLimitAreRefused() throws Exception {
+    @Test
+    void bodiesOverTheLimitAreRefused() throws Exception {
         String longest = "{\"do\":\"speed\",\"value\":1" + " ".repeat(4_096 - 24) + "}";
         assertThat(longest).hasSize(4_096);
         assertThat(visit.post(longest).statusCode()).isEqualTo(204);
@@ -144,12 +162,16 @@ class ViewServerTest {
         assertRefused(visit.post(" ".repeat(60_000)), 413);
     }
 
-    @Test void commandsAreJson() throws Exception {
+    @Test
+    void commandsAreJson() throws Exception {
         assertRefused(visit.send(HttpRequest.newBuilder(visit.address("do")).header("Content-Type", "text/plain")
                 .POST(HttpRequest.BodyPublishers.ofString("{\"do\":\"pause\"}"))), 415);
-        assertRefused(visit.send(HttpRequest.newBuilder(visit.address("do")).POST(HttpRequest.BodyPublishers.noBody())), 415);
-        assertThat(visit.send(HttpRequest.newBuilder(visit.address("do")).header("Content-Type", "Application/JSON; charset=utf-8")
-                .POST(HttpRequest.BodyPublishers.ofString("{\"do\":\"speed\",\"value\":1}"))).statusCode()).isEqualTo(204);
+        assertRefused(visit.send(HttpRequest.newBuilder(visit.address("do")).POST(HttpRequest.BodyPublishers.noBody())),
+                415);
+        assertThat(visit.send(HttpRequest.newBuilder(visit.address("do"))
+                .header("Content-Type", "Application/JSON; charset=utf-8")
+                .POST(HttpRequest.BodyPublishers.ofString("{\"do\":\"speed\",\"value\":1}"))).statusCode())
+                .isEqualTo(204);
     }
 
     @ParameterizedTest
@@ -182,16 +204,19 @@ class ViewServerTest {
         assertThat(JsonFields.parse(answer.body()).text("error")).contains(reason);
     }
 
-    @Test void everyAddressHasItsMethod() throws Exception {
+    @Test
+    void everyAddressHasItsMethod() throws Exception {
         HttpResponse<String> answer = visit.get("do");
         assertRefused(answer, 405);
         assertThat(answer.headers().firstValue("Allow")).contains("POST");
         for (String resource : new String[] {"", "events", "stimuli"}) {
-            assertRefused(visit.send(HttpRequest.newBuilder(visit.address(resource)).POST(HttpRequest.BodyPublishers.noBody())), 405);
+            assertRefused(visit.send(HttpRequest.newBuilder(visit.address(resource))
+                    .POST(HttpRequest.BodyPublishers.noBody())), 405);
         }
     }
 
-    @Test void thereIsRoomForSixteenViewersAndForMoreWhenSomeGo() throws Exception {
+    @Test
+    void thereIsRoomForSixteenViewersAndForMoreWhenSomeGo() throws Exception {
         List<Spectator> viewers = new ArrayList<>();
         try {
             for (int i = 0; i < ViewServer.MOST_VIEWERS; i++) {
@@ -220,10 +245,12 @@ class ViewServerTest {
         }
     }
 
-    @Test void aPortThatIsTakenIsNamed() {
+    @Test
+    void aPortThatIsTakenIsNamed() {
         int port = visit.view.address().getPort();
         assertThatThrownBy(() -> LiveView.open(seed -> Visit.prepared(TwoPollers.class, Visit.settings().build(), seed),
-                ViewOptions.of(port, Optional.empty(), 1))).isInstanceOf(SetupException.class).hasMessageContaining("port " + port);
+                ViewOptions.of(port, Optional.empty(), 1))).isInstanceOf(SetupException.class)
+                .hasMessageContaining("port " + port);
     }
 
     @ParameterizedTest

@@ -26,7 +26,8 @@ final class Visit implements AutoCloseable {
     static final Duration UNLIMITED = Duration.ofNanos(Long.MAX_VALUE);
     private static final String WORLD = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 1000'>"
             + "<rect id='box' data-solid='movable' data-mass-kg='0.5' x='1000' y='450' width='100' height='100'/>"
-            + "<g data-robot='left' transform='translate(300 500)'/><g data-robot='right' transform='translate(1500 500)'/></svg>";
+            + "<g data-robot='left' transform='translate(300 500)'/>"
+            + "<g data-robot='right' transform='translate(1500 500)'/></svg>";
     private static final Pattern LIMIT = Pattern.compile("--for ([0-9.]+m?s)");
 
     final LiveView view;
@@ -43,8 +44,9 @@ final class Visit implements AutoCloseable {
     }
 
     static RunSource.Prepared prepared(Class<?> program, SimulationSettings settings, OptionalLong seed) {
-        return new RunSource.Prepared(Program.onClassPath(program.getName()), settings.toBuilder().seed(seed.orElse(settings.seed())).build(),
-                List.of(), limit -> "brickless run --for " + brickless.simulation.Durations.text(limit));
+        return new RunSource.Prepared(Program.onClassPath(program.getName()),
+                settings.toBuilder().seed(seed.orElse(settings.seed())).build(), List.of(),
+                limit -> "brickless run --for " + brickless.simulation.Durations.text(limit));
     }
 
     /** Watches a program with two robots at a speed. */
@@ -59,7 +61,8 @@ final class Visit implements AutoCloseable {
     /** As {@code brickless view} sets them: no limit, no automatic keys, somebody is there. */
     static SimulationSettings.Builder settings() {
         try {
-            return SimulationSettings.builder(SvgWorldReader.readText("two.svg", WORLD)).pressButtons(false).attended(true).limit(UNLIMITED);
+            return SimulationSettings.builder(SvgWorldReader.readText("two.svg", WORLD)).pressButtons(false)
+                    .attended(true).limit(UNLIMITED);
         } catch (DescriptionException e) {
             throw new IllegalStateException(e);
         }
@@ -98,13 +101,15 @@ final class Visit implements AutoCloseable {
     RunReport repeat(String stimuli, SimulationSettings settings) throws DescriptionException {
         Matcher limit = LIMIT.matcher(stimuli);
         assertThat(limit.find()).as(stimuli).isTrue();
-        brickless.simulation.Run run = new Simulation(settings.toBuilder().stimuli(StimuliReader.readText("stimuli.txt", stimuli))
+        brickless.simulation.Run run = new Simulation(settings.toBuilder()
+                .stimuli(StimuliReader.readText("stimuli.txt", stimuli))
                 .limit(brickless.simulation.Durations.parse(limit.group(1)).orElseThrow()).build()).start(program);
         run.toEnd();
         return run.report();
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         view.close();
     }
 }

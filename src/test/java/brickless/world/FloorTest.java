@@ -29,12 +29,14 @@ class FloorTest {
         return new Floor(world(Optional.empty(), paints));
     }
 
-    @Test void emptyFloorIsWhiteEverywhere() {
+    @Test
+    void emptyFloorIsWhiteEverywhere() {
         assertThat(floor().rgbAt(0.3, 0.3)).isEqualTo(0xFFFFFF);
         assertThat(floor().colourAt(99, -99)).isEqualTo(new Rgb(255, 255, 255));
     }
 
-    @Test void laterPaintLiesAbove() {
+    @Test
+    void laterPaintLiesAbove() {
         Floor floor = floor(new Paint("a", box(0, 0, 0.2, 0.2), BLACK, 1),
                 new Paint("b", box(0.1, 0, 0.2, 0.2), new Rgb(10, 20, 30), 1));
         assertThat(floor.rgbAt(0.05, 0.1)).isZero();
@@ -42,7 +44,8 @@ class FloorTest {
         assertThat(floor.rgbAt(-0.05, 0.1)).isEqualTo(0xFFFFFF);
     }
 
-    @Test void edgesAreSharpToHalfAMillimetre() {
+    @Test
+    void edgesAreSharpToHalfAMillimetre() {
         Floor floor = floor(new Paint("tape", box(0.1, -1, 0.019, 3), BLACK, 1));
         assertThat(floor.rgbAt(0.0997, 0.3)).isEqualTo(0xFFFFFF);
         assertThat(floor.rgbAt(0.1003, 0.3)).isZero();
@@ -50,14 +53,16 @@ class FloorTest {
         assertThat(floor.rgbAt(0.1193, 0.3)).isEqualTo(0xFFFFFF);
     }
 
-    @Test void transparentPaintMixes() {
+    @Test
+    void transparentPaintMixes() {
         Floor floor = floor(new Paint("half", box(0, 0, 0.5, 0.5), BLACK, 0.5),
                 new Paint("quarter", box(0.2, 0, 0.5, 0.5), new Rgb(255, 0, 0), 0.25));
         assertThat(floor.rgbAt(0.1, 0.1)).isEqualTo(0x808080);
         assertThat(floor.colourAt(0.3, 0.1)).as("127.5 x 0.75 + 255 x 0.25").isEqualTo(new Rgb(159, 96, 96));
     }
 
-    @Test void outsideTheTableThereIsNoFloor() {
+    @Test
+    void outsideTheTableThereIsNoFloor() {
         Floor floor = new Floor(world(Optional.of(box(0, 0, 0.5, 0.5)),
                 new Paint("a", box(-1, -1, 3, 3), new Rgb(9, 9, 9), 1)));
         assertThat(floor.rgbAt(0.25, 0.25)).isEqualTo(0x090909);
@@ -66,18 +71,21 @@ class FloorTest {
         assertThat(floor.colourAt(0.6, 0.25)).isEqualTo(BLACK);
     }
 
-    @Test void spotInTheMiddleOfOneColourReadsThatColour() {
+    @Test
+    void spotInTheMiddleOfOneColourReadsThatColour() {
         Floor floor = floor(new Paint("a", box(0, 0, 0.5, 0.5), new Rgb(12, 200, 7), 1));
         assertThat(floor.average(0.25, 0.25, 0.005)).isEqualTo(new Rgb(12, 200, 7));
         assertThat(floor.average(0.25, 0.25, 0)).isEqualTo(new Rgb(12, 200, 7));
     }
 
-    @Test void spotOnAnEdgeReadsTheShareOfItsPoints() {
+    @Test
+    void spotOnAnEdgeReadsTheShareOfItsPoints() {
         Floor floor = floor(new Paint("a", box(0, -0.2, 0.5, 0.5), BLACK, 1));
         assertThat(floor.average(-0.0003, 0.1, 0.01)).as("11 of 19 points are white").isEqualTo(new Rgb(148, 148, 148));
     }
 
-    @Test void floorAgreesWithItsRegionsEverywhere() {
+    @Test
+    void floorAgreesWithItsRegionsEverywhere() {
         Random random = new Random(7);
         List<Paint> paints = new ArrayList<>();
         for (int i = 0; i < 12; i++) {
@@ -103,7 +111,8 @@ class FloorTest {
         }
     }
 
-    @Test void threadsSeeTheSameFloor() throws Exception {
+    @Test
+    void threadsSeeTheSameFloor() throws Exception {
         Floor shared = floor(new Paint("a", box(0, 0, 0.7, 0.3), new Rgb(1, 2, 3), 0.4),
                 new Paint("b", box(0.3, 0.1, 0.7, 0.3), BLACK, 0.3));
         Callable<Long> scan = () -> {
@@ -125,7 +134,8 @@ class FloorTest {
         }
     }
 
-    @Test void imagesAreSampledWithoutSmoothing() {
+    @Test
+    void imagesAreSampledWithoutSmoothing() {
         Texture texture = new Texture(2, 1, new int[] {0xFFFF0000, 0x000000FF}, 10, 0, 0, 10, 0, 0);
         Floor floor = floor(new Paint("t", box(0, 0, 0.2, 0.1), new Rgb(0, 0, 0), 1, Optional.of(texture)));
         assertThat(floor.rgbAt(0.0999, 0.05)).isEqualTo(0xFF0000);

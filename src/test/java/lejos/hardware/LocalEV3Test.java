@@ -97,7 +97,8 @@ class LocalEV3Test {
     @Test
     void failuresOfDevicesNeedNotBeCaught() {
         IllegalStateException cause = new IllegalStateException("why");
-        assertThat(new DeviceException("what", cause)).hasMessage("what").hasCause(cause).isInstanceOf(RuntimeException.class);
+        assertThat(new DeviceException("what", cause)).hasMessage("what").hasCause(cause)
+                .isInstanceOf(RuntimeException.class);
         assertThat(new DeviceException(cause)).hasCause(cause);
         assertThat(new DeviceException()).hasMessage(null);
         assertThat(new BluetoothException("what", cause)).hasMessage("what").hasCause(cause)

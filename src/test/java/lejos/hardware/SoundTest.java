@@ -79,7 +79,7 @@ class SoundTest {
 
     @Test
     void aNoteIsOneTone() {
-        assertThat(lasts(() -> Sound.playNote(Sound.PIANO, 440, 300))).isCloseTo(300, within(CALL_MS));
+        assertThat(lasts(() -> Sound.playNote(Sounds.PIANO, 440, 300))).isCloseTo(300, within(CALL_MS));
         assertThat(bench.events()).containsExactly("tone 440 Hz 300 ms 80 %");
     }
 

@@ -76,7 +76,8 @@ class AdapterTest {
                 new RangeFinderAdapter(sample(0.5f)));
         scanner.setAngles(new float[] {-170, 170});
         assertThat(scanner.getRangeValues().getRange(170f)).isEqualTo(52);
-        assertThat(pilot.calls()).containsExactly("rotate[-170.0, false]", "rotate[-20.0, false]", "rotate[-170.0, false]");
+        assertThat(pilot.calls()).containsExactly("rotate[-170.0, false]", "rotate[-20.0, false]",
+                "rotate[-170.0, false]");
     }
 
     @Test

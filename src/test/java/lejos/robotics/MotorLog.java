@@ -1,5 +1,6 @@
 package lejos.robotics;
 
+import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,11 +21,13 @@ final class MotorLog {
     }
 
     <T> T as(Class<T> type) {
-        return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, (self, method, arguments) -> {
-            calls.add(method.getName() + (arguments == null ? "[]" : Arrays.toString(arguments)));
-            Class<?> result = method.getReturnType();
-            Object absent = result == int.class ? 0 : result == boolean.class ? false : result == float.class ? 0f : null;
-            return answers.getOrDefault(method.getName(), absent);
-        }));
+        return type.cast(Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, this::call));
+    }
+
+    private Object call(Object self, Method method, Object[] arguments) {
+        calls.add(method.getName() + (arguments == null ? "[]" : Arrays.toString(arguments)));
+        Class<?> result = method.getReturnType();
+        Object absent = result == int.class ? 0 : result == boolean.class ? false : result == float.class ? 0f : null;
+        return answers.getOrDefault(method.getName(), absent);
     }
 }

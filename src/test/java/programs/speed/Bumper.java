@@ -9,7 +9,9 @@ import lejos.robotics.SampleProvider;
 import lejos.robotics.subsumption.Arbitrator;
 import lejos.robotics.subsumption.Behavior;
 
-/** The textbook bumper car, for ever: an arbitrator whose behaviours ask a touch and an ultrasonic sensor all the time. */
+/**
+ * The textbook bumper car, for ever: an arbitrator whose behaviours ask a touch and an ultrasonic sensor all the time.
+ */
 public class Bumper {
     static final RegulatedMotor LEFT = Motor.B;
     static final RegulatedMotor RIGHT = Motor.C;
@@ -24,15 +26,18 @@ public class Bumper {
     private static class Drive implements Behavior {
         private volatile boolean suppressed;
 
-        @Override public boolean takeControl() {
+        @Override
+        public boolean takeControl() {
             return true;
         }
 
-        @Override public void suppress() {
+        @Override
+        public void suppress() {
             suppressed = true;
         }
 
-        @Override public void action() {
+        @Override
+        public void action() {
             suppressed = false;
             LEFT.forward();
             RIGHT.forward();
@@ -50,17 +55,20 @@ public class Bumper {
         private final float[] sample = new float[2];
         private volatile boolean suppressed;
 
-        @Override public boolean takeControl() {
+        @Override
+        public boolean takeControl() {
             touch.fetchSample(sample, 0);
             distance.fetchSample(sample, 1);
             return sample[0] == 1 || sample[1] < 0.25f;
         }
 
-        @Override public void suppress() {
+        @Override
+        public void suppress() {
             suppressed = true;
         }
 
-        @Override public void action() {
+        @Override
+        public void action() {
             suppressed = false;
             LEFT.rotate(-180, true);
             RIGHT.rotate(-360, true);

@@ -12,7 +12,8 @@ public class Courier {
     public static void main(String[] args) {
         Wheel left = WheeledChassis.modelWheel(Motor.B, 5.6).offset(5.7);
         Wheel right = WheeledChassis.modelWheel(Motor.C, 5.6).offset(-5.7);
-        MovePilot pilot = new MovePilot(new WheeledChassis(new Wheel[] {left, right}, WheeledChassis.TYPE_DIFFERENTIAL));
+        MovePilot pilot = new MovePilot(
+                new WheeledChassis(new Wheel[] {left, right}, WheeledChassis.TYPE_DIFFERENTIAL));
         pilot.setLinearSpeed(20);
         pilot.setAngularSpeed(90);
         Navigator navigator = new Navigator(pilot);

@@ -4,6 +4,7 @@
  * brickless.concurrent.locks.Deadline} (for how long).
  *
  * <p>Only monitors of Java are used, so whatever makes monitors virtual makes these locks virtual. Stated contracts are
- * those of the public Java 17 documentation; unlike the originals the locks are not serializable. May use: {@code brickless.kernel.hooks.OwnedLock}, the JDK.
+ * those of the public Java 17 documentation; unlike the originals the locks are not serializable. May use:
+ * {@code brickless.kernel.hooks.OwnedLock}, the JDK.
  */
 package brickless.concurrent.locks;

@@ -41,7 +41,8 @@ public final class TestCall implements Runnable {
         this.done = done;
     }
 
-    @Override public void run() {
+    @Override
+    public void run() {
         Throwable failure = outcome();
         if (failure != null) {
             Thread.getDefaultUncaughtExceptionHandler().uncaughtException(Thread.currentThread(), failure);

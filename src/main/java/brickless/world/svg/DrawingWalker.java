@@ -45,11 +45,13 @@ final class DrawingWalker {
     List<DrawnShape> shapesWithin(SvgElement element, Scope scope) throws DescriptionException {
         List<DrawnShape> shapes = new ArrayList<>();
         inside(element, scope, new DrawingVisitor() {
-            @Override public boolean enter(SvgElement inner, Scope innerScope) {
+            @Override
+            public boolean enter(SvgElement inner, Scope innerScope) {
                 return false;
             }
 
-            @Override public void shape(DrawnShape shape) {
+            @Override
+            public void shape(DrawnShape shape) {
                 shapes.add(shape);
             }
         });

@@ -88,7 +88,7 @@ final class Flattener {
         return done;
     }
 
-    private int pieces(double exact) throws MalformedValueException {
+    private static int pieces(double exact) throws MalformedValueException {
         if (!(exact <= Limits.COORDINATE)) {
             throw new MalformedValueException("a curve is too large");
         }

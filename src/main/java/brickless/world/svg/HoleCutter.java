@@ -66,7 +66,8 @@ final class HoleCutter {
         try {
             return OverlayNGRobust.overlay(polygon, GEOMETRY.toGeometry(side), OverlayNG.INTERSECTION);
         } catch (TopologyException e) {
-            throw new MalformedValueException("the holes of a solid shape lie too close to its outline or to each other");
+            throw new MalformedValueException(
+                    "the holes of a solid shape lie too close to its outline or to each other");
         }
     }
 

@@ -1,6 +1,5 @@
 package brickless.world.svg;
 
-import brickless.world.DescriptionException;
 import brickless.world.Paint;
 import brickless.world.Point2;
 import brickless.world.Region;
@@ -14,8 +13,7 @@ import java.util.Optional;
 final class ImagePaint {
     private ImagePaint() {}
 
-    static Paint of(SvgDocument document, DrawnShape shape, String id)
-            throws DescriptionException, MalformedValueException {
+    static Paint of(SvgDocument document, DrawnShape shape, String id) throws MalformedValueException {
         SvgElement element = shape.element();
         Affine toPage = shape.scope().toPage();
         if (toPage.isSingular()) {

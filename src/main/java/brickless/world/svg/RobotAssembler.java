@@ -57,7 +57,8 @@ final class RobotAssembler implements DrawingVisitor {
                 claws, EmbeddedImages.textOf(document));
     }
 
-    @Override public boolean enter(SvgElement element, Scope scope)
+    @Override
+    public boolean enter(SvgElement element, Scope scope)
             throws DescriptionException, MalformedValueException {
         if (!element.has("data-part")) {
             return false;
@@ -83,7 +84,8 @@ final class RobotAssembler implements DrawingVisitor {
         return true;
     }
 
-    @Override public void shape(DrawnShape shape) throws DescriptionException, MalformedValueException {
+    @Override
+    public void shape(DrawnShape shape) throws DescriptionException, MalformedValueException {
         Meaning meaning = shape.scope().meaning();
         boolean decoration = body == null || meaning.choice("data-solid", "yes", "none", "yes").equals("none");
         boolean itself = shape.element().has("data-part");

@@ -12,11 +12,7 @@ record Viewport(double width, double height) {
         return length(element, attribute, fallback, height);
     }
 
-    /** A length in no particular direction. */
-    double any(SvgElement element, String attribute, double fallback) throws MalformedValueException {
-        return length(element, attribute, fallback, diagonal());
-    }
-
+    /** What 100 % means for a length in no particular direction. */
     double diagonal() {
         return Math.sqrt((width * width + height * height) / 2);
     }

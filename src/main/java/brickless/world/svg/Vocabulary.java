@@ -14,7 +14,8 @@ enum Vocabulary {
             "data-body"),
     ROBOT("robot", "data-part", "data-mass-kg", "data-height-mm", "data-friction", "data-port", "data-motor",
             "data-diameter-mm", "data-gear-ratio", "data-inverted", "data-sensor", "data-min-degrees",
-            "data-max-degrees", "data-omni", "data-pivot", "data-heading-degrees", "data-backlash-degrees", "data-solid");
+            "data-max-degrees", "data-omni", "data-pivot", "data-heading-degrees", "data-backlash-degrees",
+            "data-solid");
 
     /** Written by drawing programs (Illustrator, Figma) for their own use. */
     private static final Set<String> FOREIGN = Set.of("data-name");

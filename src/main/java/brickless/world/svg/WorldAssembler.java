@@ -55,7 +55,8 @@ final class WorldAssembler implements DrawingVisitor {
                 placements, EmbeddedImages.textOf(document), ambientLux);
     }
 
-    @Override public boolean enter(SvgElement element, Scope scope)
+    @Override
+    public boolean enter(SvgElement element, Scope scope)
             throws DescriptionException, MalformedValueException {
         if (element.has("data-robot")) {
             placements.add(PlacementReader.read(document, element, scope, placements));
@@ -107,7 +108,8 @@ final class WorldAssembler implements DrawingVisitor {
         }
     }
 
-    @Override public void shape(DrawnShape shape) throws DescriptionException, MalformedValueException {
+    @Override
+    public void shape(DrawnShape shape) throws DescriptionException, MalformedValueException {
         Meaning meaning = shape.scope().meaning();
         boolean solid = ObstacleBuilder.isSolid(meaning);
         boolean point = meaning.has("data-beacon") || meaning.has("data-lamp-lux");

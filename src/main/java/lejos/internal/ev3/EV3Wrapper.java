@@ -47,7 +47,8 @@ public class EV3Wrapper implements Thread.UncaughtExceptionHandler {
 
     /** Prepares the ports, the layers of the screen, the program's console and the exception screen. */
     public static void prepare() {
-        // Interfaces are initialised inside the JVM, where a thread cannot be switched away: done while there is only one.
+        // Interfaces are initialised inside the JVM, where a thread cannot be switched away: done while there is only
+        // one.
         MotorPort.A.getName();
         SensorPort.S1.getName();
         EV3LCDManager layers = EV3LCDManager.getLocalLCDManager();

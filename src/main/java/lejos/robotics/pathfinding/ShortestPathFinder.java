@@ -111,7 +111,7 @@ public class ShortestPathFinder implements PathFinder {
         return null;
     }
 
-    private Path routeTo(Node destination) {
+    private static Path routeTo(Node destination) {
         Path path = new Path();
         for (Node node = destination; node != null; node = node.predecessor) {
             path.add(0, new Waypoint(node.location));

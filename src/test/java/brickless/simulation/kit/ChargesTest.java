@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.offset;
 
 import brickless.simulation.Run;
 import java.util.function.UnaryOperator;
+import kit.BusCost;
+import kit.Charges;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import kit.BusCost;
-import kit.Charges;
 
 /** What calls cost in simulated time; the estimates stand in {@code Costs} and {@code PanelCharges}. */
 class ChargesTest {

@@ -2,8 +2,8 @@ package brickless.simulation.kit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import brickless.simulation.Run;
 import brickless.simulation.RobotView;
+import brickless.simulation.Run;
 import brickless.simulation.Simulation;
 import brickless.simulation.SimulationSettings;
 import java.io.IOException;
@@ -12,12 +12,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import kit.Crash;
 import kit.Follower;
 import kit.Layers;
 import kit.Leaves;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Layers of the screen, exceptions, and the ways a program ends. */
 class LifeCycleTest {

@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.offset;
 
 import brickless.simulation.Run;
 import java.util.function.UnaryOperator;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Nested;
-import org.junit.jupiter.api.Test;
 import kit.OnlyRotates;
 import kit.Rotations;
 import kit.Stalls;
 import kit.Together;
 import kit.Unregulated;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
 
 /** Whole programs that move motors, held against the numbers that are known of leJOS on a brick. */
 class MotorRunsTest {

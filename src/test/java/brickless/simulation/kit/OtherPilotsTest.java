@@ -25,7 +25,8 @@ class OtherPilotsTest {
     private static final String FLOOR = Kit.world("<g data-robot='robot' transform='translate(1000 1000)'/>");
 
     private static Run run(Class<?> program, String robot, long seed, boolean ideal) throws DescriptionException {
-        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(FLOOR)).robot(new Library(Path.of("no-files-here")).robot(robot))
+        SimulationSettings settings = SimulationSettings.builder(Kit.worldOf(FLOOR))
+                .robot(new Library(Path.of("no-files-here")).robot(robot))
                 .seed(seed).ideal(ideal).limit(Duration.ofSeconds(60)).pressButtons(false).build();
         Run run = new Simulation(settings).start(program);
         run.toEnd();
@@ -45,7 +46,8 @@ class OtherPilotsTest {
 
     @ParameterizedTest
     @CsvSource({"1, true", "1, false", "2, false", "3, false"})
-    void theHolonomicChassisDrivesInAllDirectionsAndKnowsWhereItIs(long seed, boolean ideal) throws DescriptionException {
+    void theHolonomicChassisDrivesInAllDirectionsAndKnowsWhereItIs(long seed, boolean ideal)
+            throws DescriptionException {
         Run run = run(HolonomicDrive.class, "three-wheel-holonomic", seed, ideal);
         assertThat(run.robot().xMetres()).as("to the left of where it looks").isCloseTo(0.8, offset(0.04));
         assertThat(run.robot().yMetres()).isCloseTo(0.7, offset(0.04));

@@ -14,12 +14,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import kit.Buttons;
 import kit.Menu;
 import kit.Signals;
 import kit.Volts;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Whole programs that use keys, menu, LEDs, loudspeaker and battery. */
 class PanelRunsTest {

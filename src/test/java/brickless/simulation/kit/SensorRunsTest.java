@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.offset;
 
 import brickless.simulation.Run;
 import java.util.List;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import kit.Contacts;
 import kit.EV3Sensors;
 import kit.OlderSensors;
 import kit.Turning;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whole programs that read sensors in a room of known size: exact when ideal, within known bounds when not. */
 class SensorRunsTest {

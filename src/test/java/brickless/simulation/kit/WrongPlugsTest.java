@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import brickless.simulation.Run;
 import java.util.function.UnaryOperator;
+import kit.WrongPlugs;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import kit.WrongPlugs;
 
 /** The original's exceptions, with a cause that says what is plugged in and what to change. */
 class WrongPlugsTest {

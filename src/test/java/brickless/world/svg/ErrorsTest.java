@@ -150,18 +150,21 @@ class ErrorsTest {
         assertThat(robotError(robotText(body))).startsWith("test.svg:3: ").contains(message).doesNotContain("\n");
     }
 
-    @Test void robotWithoutChassis() {
+    @Test
+    void robotWithoutChassis() {
         assertThat(robotError("<svg><circle r='5'/></svg>"))
                 .isEqualTo("test.svg:1: <svg>: the robot has no data-part=\"chassis\"");
     }
 
-    @Test void errorsOfInheritedAttributesPointAtTheGroup() {
+    @Test
+    void errorsOfInheritedAttributesPointAtTheGroup() {
         assertThat(worldError("<svg viewBox='0 0 9 9'>\n<g id='walls'\n data-solid='soft'>\n<rect width='5' "
                 + "height='5'/></g></svg>"))
                 .startsWith("test.svg:2: walls: data-solid=\"soft\" is not known");
     }
 
-    @Test void lineIsWhereTheTagBegins() {
+    @Test
+    void lineIsWhereTheTagBegins() {
         String text = "<svg viewBox='0 0 9 9'>\n<!-- <rect> \n -->\n<style>\n<![CDATA[ b { content: \"<b>\" } "
                 + "]]>\n</style>\n<?x <y> ?>\n<rect\n  id='late'\n  width='5'\n  height='x'/></svg>";
         assertThat(worldError(text)).startsWith("test.svg:8: late: ");

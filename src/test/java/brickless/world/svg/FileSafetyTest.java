@@ -26,12 +26,14 @@ class FileSafetyTest {
         return catchThrowableOfType(DescriptionException.class, () -> SvgWorldReader.read(path)).getMessage();
     }
 
-    @Test void missingFileAndFolder() {
+    @Test
+    void missingFileAndFolder() {
         assertThat(error(folder.resolve("none.svg"))).isEqualTo(folder.resolve("none.svg") + ": no such file");
         assertThat(error(folder)).isEqualTo(folder + ": cannot be read as a file");
     }
 
-    @Test void emptyAndForeignFiles() throws IOException {
+    @Test
+    void emptyAndForeignFiles() throws IOException {
         assertThat(error(file("empty.svg", new byte[0]))).contains("empty.svg:1: is not well-formed XML");
         assertThat(error(file("page.svg", "<html></html>".getBytes(StandardCharsets.UTF_8))))
                 .endsWith("page.svg:1: <html>: is not a drawing; the outermost element must be svg");
@@ -39,12 +41,14 @@ class FileSafetyTest {
                 .endsWith("is not valid UTF-8 text");
     }
 
-    @Test void unclosedTagIsLocated() {
+    @Test
+    void unclosedTagIsLocated() {
         assertThat(worldError("<svg viewBox='0 0 9 9'>\n<g>\n</svg>"))
                 .startsWith("test.svg:3: is not well-formed XML: ").doesNotContain("\n");
     }
 
-    @Test void encodingsOfTheDeclarationAreUnderstood() throws IOException, DescriptionException {
+    @Test
+    void encodingsOfTheDeclarationAreUnderstood() throws IOException, DescriptionException {
         String text = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><svg viewBox='0 0 9 9'><rect data-zone='Küche' "
                 + "width='5' height='5'/></svg>";
         assertThat(SvgWorldReader.read(file("l.svg", text.getBytes(StandardCharsets.ISO_8859_1))).zones().get(0).name())
@@ -60,7 +64,8 @@ class FileSafetyTest {
                         + "US-ASCII");
     }
 
-    @Test void plainDoctypeIsAcceptedButDeclarationsAreNot() throws DescriptionException {
+    @Test
+    void plainDoctypeIsAcceptedButDeclarationsAreNot() throws DescriptionException {
         String doctype = "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" "
                 + "\"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd\">";
         World world = SvgWorldReader.readText("t", doctype
@@ -74,7 +79,8 @@ class FileSafetyTest {
         assertThat(worldError("<svg viewBox='0 0 9 9'><style>&x;</style></svg>")).startsWith("test.svg:1: ");
     }
 
-    @Test void imagesOutsideTheFolderAreNotOpened() throws IOException {
+    @Test
+    void imagesOutsideTheFolderAreNotOpened() throws IOException {
         Path inner = Files.createDirectory(folder.resolve("worlds"));
         Files.write(folder.resolve("secret.png"), new byte[] {1, 2, 3});
         Files.createSymbolicLink(inner.resolve("link.png"), folder.resolve("secret.png"));
@@ -89,16 +95,19 @@ class FileSafetyTest {
         }
     }
 
-    @Test void deepNestingIsRefused() {
+    @Test
+    void deepNestingIsRefused() {
         assertThat(worldError("<svg viewBox='0 0 9 9'>" + "<g>".repeat(5_000) + "</g>".repeat(5_000) + "</svg>"))
                 .isEqualTo("test.svg:1: elements are nested deeper than 80");
     }
 
-    @Test void tooManyElementsAreRefused() {
+    @Test
+    void tooManyElementsAreRefused() {
         assertThat(worldError(worldText("<g/>".repeat(50_001)))).contains("more than 50000 elements");
     }
 
-    @Test void multiplicationByUseIsRefused() {
+    @Test
+    void multiplicationByUseIsRefused() {
         StringBuilder body = new StringBuilder("<defs><rect id='x0' width='1' height='1'/>");
         for (int i = 1; i <= 20; i++) {
             body.append("<g id='x").append(i).append("'>").append(("<use href='#x" + (i - 1) + "'/>").repeat(8))
@@ -108,17 +117,20 @@ class FileSafetyTest {
                 .contains("more than 200000 elements after use is expanded");
     }
 
-    @Test void endlesslyFineDashesAreRefused() {
+    @Test
+    void endlesslyFineDashesAreRefused() {
         assertThat(worldError(worldText("<line x2='1000' stroke='red' stroke-dasharray='1e-7'/>")))
                 .contains("more than 1000000 points");
     }
 
-    @Test void longPathIsRefused() {
+    @Test
+    void longPathIsRefused() {
         assertThat(worldError(worldText("<path d='M0,0" + " 5,5 9,0".repeat(500_001) + "'/>")))
                 .contains("more than 1000000 points");
     }
 
-    @Test void scriptsAndForeignElementsAreIgnored() {
+    @Test
+    void scriptsAndForeignElementsAreIgnored() {
         World world = Drawings.world("<script>alert(1)</script><x:thing xmlns:x='urn:x'><rect width='5' "
                 + "height='5'/></x:thing>"
                 + "<foreignObject><p xmlns='http://www.w3.org/1999/xhtml'>hi</p></foreignObject>");

@@ -22,7 +22,8 @@ class FormatDocumentTest {
         return Files.readString(Shipped.file("sim/docs/WORLD-FORMAT.md"));
     }
 
-    @TestFactory Stream<DynamicTest> everyExampleCanBeRead() throws IOException {
+    @TestFactory
+    Stream<DynamicTest> everyExampleCanBeRead() throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
         Matcher examples = EXAMPLE.matcher(document());
         while (examples.find()) {
@@ -41,11 +42,13 @@ class FormatDocumentTest {
         return tests.stream();
     }
 
-    @Test void everyCodeBlockOfXmlIsAnExample() throws IOException {
+    @Test
+    void everyCodeBlockOfXmlIsAnExample() throws IOException {
         assertThat(document().split("```xml", -1)).hasSize(6);
     }
 
-    @Test void groupExampleHasThreeBodies() throws Exception {
+    @Test
+    void groupExampleHasThreeBodies() throws Exception {
         Matcher examples = EXAMPLE.matcher(document());
         assertThat(examples.find() && examples.find()).isTrue();
         assertThat(SvgWorldReader.readText("example.svg", examples.group(2)).obstacles())
@@ -53,7 +56,8 @@ class FormatDocumentTest {
                 .containsExactly("can-1 0.03", "can-2 0.03", "trolley 1.2");
     }
 
-    @Test void everyAttributeAndSensorIsDescribed() throws IOException {
+    @Test
+    void everyAttributeAndSensorIsDescribed() throws IOException {
         String text = document();
         String complaint = Drawings.worldError(Drawings.worldText("<g data-xxxxxxxx=''/>")) + " "
                 + Drawings.robotError(Drawings.robotText("<g data-xxxxxxxx=''/>"));
@@ -66,7 +70,8 @@ class FormatDocumentTest {
         }
     }
 
-    @Test void theComplaintShownIsTheComplaintGiven() throws IOException {
+    @Test
+    void theComplaintShownIsTheComplaintGiven() throws IOException {
         String complaint = Drawings.worldError(
                 "<svg viewBox='0 0 9 9'>\n\n\n\n\n\n<rect id='crate' data-solid='moveable' width='9' "
                         + "height='9'/></svg>");

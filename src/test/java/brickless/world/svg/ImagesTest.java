@@ -56,7 +56,8 @@ class ImagesTest {
         return new Floor(world).rgbAt(xMillimetres / 1000, yMillimetres / 1000);
     }
 
-    @Test void pixelsLieWhereTheyAreDrawn() {
+    @Test
+    void pixelsLieWhereTheyAreDrawn() {
         World world = world(image(mat(BufferedImage.TYPE_INT_ARGB, "png"), "x='100' y='100' width='400' height='200'"));
         assertThat(colour(world, 101, 101)).isEqualTo(0xFF0000);
         assertThat(colour(world, 199, 199)).isEqualTo(0xFF0000);
@@ -69,13 +70,15 @@ class ImagesTest {
         assertThat(colour(world, 99, 150)).isEqualTo(0xFFFFFF);
     }
 
-    @Test void transparentPixelsLetTheFloorShow() {
+    @Test
+    void transparentPixelsLetTheFloorShow() {
         World world = world("<rect width='1000' height='1000' fill='blue'/>"
                 + image(mat(BufferedImage.TYPE_INT_ARGB, "png"), "width='400' height='200'"));
         assertThat(colour(world, 250, 150)).isEqualTo(0x80007F);
     }
 
-    @Test void imagesTurnAndScaleWithTheirGroup() {
+    @Test
+    void imagesTurnAndScaleWithTheirGroup() {
         World world = world("<g transform='translate(500,0) rotate(90)'>"
                 + image(mat(BufferedImage.TYPE_INT_RGB, "png"), "width='400' height='200'") + "</g>");
         assertThat(colour(world, 450, 50)).isEqualTo(0xFF0000);
@@ -84,7 +87,8 @@ class ImagesTest {
         assertThat(colour(world, 350, 350)).isEqualTo(0xFFFF00);
     }
 
-    @Test void proportionsAreKeptUnlessTheDrawingSaysOtherwise() {
+    @Test
+    void proportionsAreKeptUnlessTheDrawingSaysOtherwise() {
         byte[] mat = mat(BufferedImage.TYPE_INT_RGB, "png");
         World kept = world(image(mat, "width='400' height='400'"));
         assertThat(colour(kept, 50, 50)).isEqualTo(0xFFFFFF);
@@ -96,7 +100,8 @@ class ImagesTest {
         assertThat(colour(sliced, 250, 50)).isEqualTo(0xFFFFFF);
     }
 
-    @Test void greyLevelsAreTakenAsStored() {
+    @Test
+    void greyLevelsAreTakenAsStored() {
         BufferedImage grey = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
         grey.getRaster().setSample(0, 0, 0, 100);
         assertThat(colour(world(image(encoded(grey, "png"), "width='90' height='90'")), 50, 50)).isEqualTo(0x646464);
@@ -115,7 +120,8 @@ class ImagesTest {
         assertThat(colour(world, 350, 150)).isEqualTo(0xFFFF00);
     }
 
-    @Test void fileBesideTheDrawing() throws IOException, DescriptionException {
+    @Test
+    void fileBesideTheDrawing() throws IOException, DescriptionException {
         Files.createDirectory(folder.resolve("mats"));
         Files.write(folder.resolve("mats/my mat.png"), mat(BufferedImage.TYPE_INT_RGB, "png"));
         Path file = Files.writeString(folder.resolve("w.svg"),
@@ -123,7 +129,8 @@ class ImagesTest {
         assertThat(colour(SvgWorldReader.read(file), 50, 50)).isEqualTo(0xFF0000);
     }
 
-    @Test void jpegIsReadNearly() {
+    @Test
+    void jpegIsReadNearly() {
         BufferedImage flat = new BufferedImage(16, 16, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < 256; i++) {
             flat.setRGB(i % 16, i / 16, 0xFFC86432);
@@ -133,7 +140,8 @@ class ImagesTest {
                 .isLessThan(12);
     }
 
-    @Test void brokenImagesAreLocatedErrors() {
+    @Test
+    void brokenImagesAreLocatedErrors() {
         byte[] cut = java.util.Arrays.copyOf(mat(BufferedImage.TYPE_INT_RGB, "png"), 40);
         assertThat(worldError(worldText(image(cut, "id='mat' width='9' height='9'"))))
                 .isEqualTo("test.svg:2: mat: the image is damaged and cannot be decoded");
@@ -146,7 +154,8 @@ class ImagesTest {
                 .contains("cannot be found from a drawing that is not a file");
     }
 
-    @Test void hugeImageIsRefusedBeforeItIsDecoded() {
+    @Test
+    void hugeImageIsRefusedBeforeItIsDecoded() {
         byte[] png = mat(BufferedImage.TYPE_INT_RGB, "png");
         java.nio.ByteBuffer.wrap(png).putInt(16, 40_000).putInt(20, 40_000);
         java.util.zip.CRC32 crc = new java.util.zip.CRC32();

@@ -16,23 +16,27 @@ import org.junit.jupiter.api.Test;
 class InkscapeTest {
     private static World world;
 
-    @BeforeAll static void read() throws IOException, URISyntaxException, DescriptionException {
+    @BeforeAll
+    static void read() throws URISyntaxException, DescriptionException {
         world = SvgWorldReader.read(Path.of(InkscapeTest.class.getResource("inkscape.svg").toURI()));
     }
 
-    @Test void pageIsTheViewBox() {
+    @Test
+    void pageIsTheViewBox() {
         assertThat(world.width()).isEqualTo(1.2);
         assertThat(world.height()).isEqualTo(0.8);
     }
 
-    @Test void wallsOfTheWallLayer() {
+    @Test
+    void wallsOfTheWallLayer() {
         assertThat(world.obstacles()).extracting(Obstacle::id)
                 .containsExactly("rect1021", "path2044", "path3300", "use3310");
         assertThat(world.obstacles().get(0).outlines().get(0).get(0)).isEqualTo(new Point2(0.01, 0.02));
         assertThat(world.obstacles().get(1).outlines()).as("line drawn as a wall").hasSize(2);
     }
 
-    @Test void clonesAreBodiesOfTheirOwn() {
+    @Test
+    void clonesAreBodiesOfTheirOwn() {
         Obstacle original = world.obstacles().get(2);
         Obstacle clone = world.obstacles().get(3);
         assertThat(clone.movable()).isTrue();
@@ -42,16 +46,19 @@ class InkscapeTest {
         assertThat(b.x() - a.x()).isEqualTo(0.2, org.assertj.core.api.Assertions.within(1e-12));
     }
 
-    @Test void hiddenLayerIsNotThere() {
+    @Test
+    void hiddenLayerIsNotThere() {
         assertThat(world.zones()).isEmpty();
     }
 
-    @Test void tapeIsPaintedInItsCssColour() {
+    @Test
+    void tapeIsPaintedInItsCssColour() {
         assertThat(world.floor()).hasSize(1);
         assertThat(world.floor().get(0).colour().red()).isEqualTo(26);
     }
 
-    @Test void robotStandsWhereItsGroupIs() {
+    @Test
+    void robotStandsWhereItsGroupIs() {
         assertThat(world.placements().get(0).start().x()).isEqualTo(0.3);
     }
 }

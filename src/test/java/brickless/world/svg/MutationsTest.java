@@ -111,7 +111,7 @@ class MutationsTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
-    void damagedBytesAreReadOrRefused(int slice) throws IOException {
+    void damagedBytesAreReadOrRefused(int slice) {
         for (int i = 0; i < 300; i++) {
             int index = slice * 300 + i;
             Random random = new Random(index);

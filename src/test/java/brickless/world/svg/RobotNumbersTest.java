@@ -20,7 +20,8 @@ class RobotNumbersTest {
         return Math.abs(robot.wheels().get(0).position().y() - robot.wheels().get(1).position().y());
     }
 
-    @Test void educatorRollsATyresCircumferencePerTurn() throws DescriptionException {
+    @Test
+    void educatorRollsATyresCircumferencePerTurn() throws DescriptionException {
         for (Wheel wheel : robot("educator").wheels()) {
             assertThat(Math.PI * wheel.diameterMetres()).isCloseTo(0.1759, withinPercentage(0.1));
         }

@@ -24,7 +24,8 @@ class RobotReaderTest {
         return robot(body).sensors().get(0);
     }
 
-    @Test void chassisCollidesAndWeighsWhatItSays() throws DescriptionException {
+    @Test
+    void chassisCollidesAndWeighsWhatItSays() throws DescriptionException {
         RobotModel robot = SvgRobotReader.readText("my/bot.svg",
                 "<svg><g data-part='chassis' data-mass-kg='0.9'><rect width='100' height='50'/>"
                 + "<rect x='100' width='20' height='50'/><path d='M0,0h50' stroke='red' fill='none'/><circle r='5' "
@@ -36,20 +37,23 @@ class RobotReaderTest {
                 .containsExactly("0,0 100,0 100,50 0,50", "100,0 120,0 120,50 100,50");
     }
 
-    @Test void massesOfTwoChassisPartsAddUp() throws DescriptionException {
+    @Test
+    void massesOfTwoChassisPartsAddUp() throws DescriptionException {
         RobotModel robot = SvgRobotReader.readText("b",
                 "<svg><rect data-part='chassis' data-mass-kg='0.5' width='9' height='9'/>"
                 + "<rect data-part='chassis' data-mass-kg='0.25' x='20' width='9' height='9'/></svg>");
         assertThat(robot.massKilograms()).isEqualTo(0.75);
     }
 
-    @Test void robotWithoutWheelsIsAllowedAndWeighsThreeQuartersOfAKilogram() {
+    @Test
+    void robotWithoutWheelsIsAllowedAndWeighsThreeQuartersOfAKilogram() {
         RobotModel robot = robot("");
         assertThat(robot.wheels()).isEmpty();
         assertThat(robot.massKilograms()).isEqualTo(0.75);
     }
 
-    @Test void wheelWithEverythingStated() {
+    @Test
+    void wheelWithEverythingStated() {
         Wheel wheel = robot("<rect id='w' data-part='wheel' data-port='D' data-motor='nxt' data-diameter-mm='43.2' "
                 + "data-gear-ratio='3' data-inverted='true'"
                 + " data-omni='true' x='-20' y='50' width='40' height='20' transform='rotate(90)'/>").wheels().get(0);
@@ -57,34 +61,39 @@ class RobotReaderTest {
                 true));
     }
 
-    @Test void backlashIsAnAngleOfTheWheelOrTurret() {
+    @Test
+    void backlashIsAnAngleOfTheWheelOrTurret() {
         assertThat(robot("<rect data-part='wheel' data-port='A' data-backlash-degrees='5' width='9' height='9'/>")
                 .wheels().get(0).backlashRadians()).isCloseTo(Math.toRadians(5), within(1e-12));
         assertThat(robot("<g data-part='turret' data-port='A' data-backlash-degrees='3'><circle r='9'/></g>")
                 .turrets().get(0).backlashRadians()).isCloseTo(Math.toRadians(3), within(1e-12));
     }
 
-    @Test void wheelWithDefaults() {
+    @Test
+    void wheelWithDefaults() {
         Wheel wheel = robot("<rect data-part='wheel' data-port='A' x='-28' y='46' width='56' height='28'/>").wheels()
                 .get(0);
         assertThat(wheel).isEqualTo(new Wheel("rect-line-3", 0, MotorType.LARGE, 0.056, 1, false, new Point2(0, 0.06),
                 0, false));
     }
 
-    @Test void headingAttributeTurnsAPartWithoutTurningItsDrawing() {
+    @Test
+    void headingAttributeTurnsAPartWithoutTurningItsDrawing() {
         assertThat(robot("<rect data-part='wheel' data-port='A' data-heading-degrees='-90' width='9' height='9'/>")
                 .wheels().get(0).headingRadians())
                 .isCloseTo(-Math.PI / 2, within(1e-15));
     }
 
-    @Test void caster() {
+    @Test
+    void caster() {
         assertThat(robot("<circle id='ball' data-part='caster' cx='-80' r='8'/>").casters())
                 .containsExactly(new Caster("ball", new Point2(-0.08, 0), 0.05));
         assertThat(robot("<circle data-part='caster' data-friction='0.3' r='8'/>").casters().get(0).dragCoefficient())
                 .isEqualTo(0.3);
     }
 
-    @Test void distanceSensorLooksFromTheMiddleOfItsFrontEdge() {
+    @Test
+    void distanceSensorLooksFromTheMiddleOfItsFrontEdge() {
         SensorMount eye = sensor("<rect id='us' data-part='sensor' data-port='S4' data-sensor='ev3-ultrasonic' "
                 + "x='50' y='-20' width='20' height='40'/>");
         assertThat(eye.port()).isEqualTo(3);
@@ -96,7 +105,8 @@ class RobotReaderTest {
         assertThat(eye.turret()).isEmpty();
     }
 
-    @Test void turnedSensorLooksWhereItsXAxisPoints() {
+    @Test
+    void turnedSensorLooksWhereItsXAxisPoints() {
         SensorMount left = sensor("<g transform='translate(10,-50) rotate(-90)' data-part='sensor' data-port='S1' "
                 + "data-sensor='ev3-infrared'>"
                 + "<rect x='-10' y='-15' width='20' height='30'/><circle cx='6' r='4'/></g>");
@@ -104,7 +114,8 @@ class RobotReaderTest {
         assertThat(left.headingRadians()).isEqualTo(-Math.PI / 2);
     }
 
-    @Test void colourSensorLooksDownFromItsMiddle() {
+    @Test
+    void colourSensorLooksDownFromItsMiddle() {
         SensorMount eye = sensor("<circle data-part='sensor' data-port='S3' data-sensor='ev3-color' cx='80' cy='5' "
                 + "r='11' transform='rotate(90)'/>");
         assertThat(eye.position()).isEqualTo(new Point2(-0.005, 0.08));
@@ -113,7 +124,8 @@ class RobotReaderTest {
                 + "r='11'/>").heightMetres()).isEqualTo(0.0125);
     }
 
-    @Test void touchSensorsOutlineIsItsBumper() {
+    @Test
+    void touchSensorsOutlineIsItsBumper() {
         SensorMount bumper = sensor("<g data-part='sensor' data-port='S1' data-sensor='ev3-touch'><rect x='90' "
                 + "y='-5' width='10' height='10'/>"
                 + "<rect x='100' y='-60' width='10' height='120'/></g>");
@@ -128,7 +140,8 @@ class RobotReaderTest {
                 + "' width='9' height='9'/>").type()).isEqualTo(type);
     }
 
-    @Test void turretCarriesSensorsAboutItsOrigin() {
+    @Test
+    void turretCarriesSensorsAboutItsOrigin() {
         RobotModel robot = robot("<g id='head' data-part='turret' data-port='A' data-gear-ratio='3' "
                 + "data-inverted='true' transform='translate(40,0)'>"
                 + "<circle r='20'/><rect data-part='sensor' data-port='S1' data-sensor='ev3-infrared' x='10' y='-10' "
@@ -145,13 +158,15 @@ class RobotReaderTest {
         assertThat(eye.position().x()).isCloseTo(0.065, within(1e-12));
     }
 
-    @Test void pivotMayBeGiven() {
+    @Test
+    void pivotMayBeGiven() {
         Turret head = robot("<g data-part='turret' data-port='A' data-pivot='30, -5'><rect x='20' width='20' "
                 + "height='9'/></g>").turrets().get(0);
         assertThat(head.pivot()).isEqualTo(new Point2(0.03, -0.005));
     }
 
-    @Test void clawsAndArms() {
+    @Test
+    void clawsAndArms() {
         Claw claw = robot("<g id='c' data-part='claw' data-port='A' data-min-degrees='-20' data-max-degrees='70' "
                 + "transform='translate(60,0)'>"
                 + "<rect width='50' height='6' y='-30'/><rect width='50' height='6' y='24'/></g>").claws().get(0);

@@ -29,7 +29,8 @@ class ShippedFilesTest {
         return SvgRobotReader.read(Shipped.file("sim/robots/" + name + ".svg"));
     }
 
-    @Test void allAreThere() {
+    @Test
+    void allAreThere() {
         assertThat(Shipped.worlds()).extracting(path -> path.getFileName().toString())
                 .contains("pen.svg", "line-loop.svg", "maze.svg", "corridor.svg",
                 "obstacle-course.svg", "line-crossings.svg", "colour-tiles.svg", "table-top.svg", "sumo-ring.svg",
@@ -41,7 +42,8 @@ class ShippedFilesTest {
     }
 
     /** Every robot fits into every start place, so that any program and robot can be tried in any world. */
-    @TestFactory Stream<DynamicTest> everyRobotFitsIntoEveryStartPlace() {
+    @TestFactory
+    Stream<DynamicTest> everyRobotFitsIntoEveryStartPlace() {
         return Shipped.worlds().stream().map(path -> DynamicTest.dynamicTest(path.getFileName().toString(), () -> {
             World world = SvgWorldReader.read(path);
             assertThat(world.placements()).isNotEmpty();
@@ -53,7 +55,8 @@ class ShippedFilesTest {
         }));
     }
 
-    @TestFactory Stream<DynamicTest> everyRobotStandsOnItsWheelsAndCasters() {
+    @TestFactory
+    Stream<DynamicTest> everyRobotStandsOnItsWheelsAndCasters() {
         return Shipped.robots().stream().map(path -> DynamicTest.dynamicTest(path.getFileName().toString(), () -> {
             RobotModel robot = SvgRobotReader.read(path);
             List<Point2> supports = Stream.concat(robot.wheels().stream().map(Wheel::position),
@@ -64,7 +67,8 @@ class ShippedFilesTest {
         }));
     }
 
-    @Test void educatorIsTheUsualRobot() throws DescriptionException {
+    @Test
+    void educatorIsTheUsualRobot() throws DescriptionException {
         RobotModel robot = robot("educator");
         assertThat(robot.massKilograms()).isEqualTo(0.75);
         assertThat(robot.wheels()).extracting(Wheel::port).containsExactly(1, 2);
@@ -75,7 +79,8 @@ class ShippedFilesTest {
                 .containsExactlyInAnyOrder("0 ev3-touch", "1 ev3-gyro", "2 ev3-color", "3 ev3-ultrasonic");
     }
 
-    @Test void penHasWallsBoxesAndAGoalThatIsPainted() throws DescriptionException {
+    @Test
+    void penHasWallsBoxesAndAGoalThatIsPainted() throws DescriptionException {
         World pen = world("pen");
         assertThat(new double[] {pen.width(), pen.height()}).containsExactly(2, 1.5);
         assertThat(pen.obstacles().stream().filter(Obstacle::movable)).hasSizeGreaterThanOrEqualTo(5);
@@ -85,7 +90,8 @@ class ShippedFilesTest {
         assertThat(new Floor(pen).rgbAt(1.545, 1.2)).isEqualTo(0x9FD8A4);
     }
 
-    @Test void lineOfTheLoopIsBlackTapeOnWhite() throws DescriptionException {
+    @Test
+    void lineOfTheLoopIsBlackTapeOnWhite() throws DescriptionException {
         Floor floor = new Floor(world("line-loop"));
         assertThat(floor.rgbAt(1.2, 1.25)).isZero();
         assertThat(floor.rgbAt(1.2, 1.2415)).isZero();
@@ -94,19 +100,22 @@ class ShippedFilesTest {
         assertThat(floor.rgbAt(1.0, 0.9)).isEqualTo(0xFFFFFF);
     }
 
-    @Test void tableTopHasAnEdgeAndTheSumoRingToo() throws DescriptionException {
+    @Test
+    void tableTopHasAnEdgeAndTheSumoRingToo() throws DescriptionException {
         assertThat(new Floor(world("table-top")).rgbAt(0.05, 0.05)).isEqualTo(Floor.NO_FLOOR);
         assertThat(new Floor(world("sumo-ring")).rgbAt(0, 0.58)).isEqualTo(0xF7F7F4);
         assertThat(new Floor(world("sumo-ring")).rgbAt(0, 0.61)).isEqualTo(Floor.NO_FLOOR);
     }
 
-    @Test void turretCarriesBothEyes() throws DescriptionException {
+    @Test
+    void turretCarriesBothEyes() throws DescriptionException {
         RobotModel robot = robot("medium-turret");
         assertThat(robot.sensors().stream().filter(sensor -> sensor.turret().isPresent())).hasSize(2);
         assertThat(robot.turrets().get(0).pivot()).isEqualTo(new Point2(0.058, 0));
     }
 
-    @Test void holonomicWheelsRollAroundTheMiddle() throws DescriptionException {
+    @Test
+    void holonomicWheelsRollAroundTheMiddle() throws DescriptionException {
         for (Wheel wheel : robot("three-wheel-holonomic").wheels()) {
             double radial = StrictMath.cos(wheel.headingRadians()) * wheel.position().x()
                     + StrictMath.sin(wheel.headingRadians()) * wheel.position().y();

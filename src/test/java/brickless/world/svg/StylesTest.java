@@ -41,21 +41,25 @@ class StylesTest {
         assertThat(colour("<rect width='9' height='9' fill='" + text + "'/>")).isEqualTo(expected);
     }
 
-    @Test void everyColourNameOfTheTableIsThere() {
+    @Test
+    void everyColourNameOfTheTableIsThere() {
         assertThat(NamedColours.names()).hasSize(148);
     }
 
-    @Test void withoutAFillShapesAreBlackAsSvgSays() {
+    @Test
+    void withoutAFillShapesAreBlackAsSvgSays() {
         assertThat(colour("<rect width='9' height='9'/>")).isEqualTo("0 0 0");
     }
 
-    @Test void fillIsInheritedAndCurrentColorResolves() {
+    @Test
+    void fillIsInheritedAndCurrentColorResolves() {
         assertThat(colour("<g fill='blue'><g><rect width='9' height='9'/></g></g>")).isEqualTo("0 0 255");
         assertThat(colour("<g color='lime'><rect fill='currentColor' width='9' height='9'/></g>")).isEqualTo("0 255 0");
         assertThat(colour("<g fill='blue'><rect fill='inherit' width='9' height='9'/></g>")).isEqualTo("0 0 255");
     }
 
-    @Test void styleAttributeBeatsStyleSheetBeatsPresentationAttribute() {
+    @Test
+    void styleAttributeBeatsStyleSheetBeatsPresentationAttribute() {
         String sheet = "<style>rect { fill: red } .b { fill: green !important; } #c { fill: blue }</style>";
         assertThat(colour(sheet + "<rect fill='white' width='9' height='9'/>")).isEqualTo("255 0 0");
         assertThat(colour(sheet + "<rect class='x b' fill='white' width='9' height='9'/>")).isEqualTo("0 128 0");
@@ -64,7 +68,8 @@ class StylesTest {
                 .isEqualTo("18 52 86");
     }
 
-    @Test void selectorsMayBeCombinedListedAndCommented() {
+    @Test
+    void selectorsMayBeCombinedListedAndCommented() {
         String sheet = "<style><![CDATA[ /* tape */ circle.a, rect.a.b { fill: navy } * { fill-opacity: 0.5 } @media "
                 + "print { rect { fill: red } }"
                 + " @import url('x.css'); rect:hover { fill: red } ]]></style>";
@@ -73,7 +78,8 @@ class StylesTest {
         assertThat(floor(sheet + "<rect class='a' width='9' height='9'/>").get(0).opacity()).isEqualTo(0.5);
     }
 
-    @Test void opacitiesMultiply() {
+    @Test
+    void opacitiesMultiply() {
         assertThat(floor("<g opacity='0.5'><g opacity='50%'><rect fill='red' fill-opacity='.8' width='9' "
                 + "height='9'/></g></g>").get(0).opacity())
                 .isCloseTo(0.2, within(1e-12));
@@ -84,18 +90,21 @@ class StylesTest {
                 .isEmpty();
     }
 
-    @Test void fillLiesBelowTheLine() {
+    @Test
+    void fillLiesBelowTheLine() {
         List<Paint> paints = floor("<rect fill='red' stroke='blue' stroke-width='2' width='9' height='9'/>");
         assertThat(paints).extracting(Paint::colour).containsExactly(new Rgb(255, 0, 0), new Rgb(0, 0, 255));
     }
 
-    @Test void fillRuleDecidesAboutHoles() {
+    @Test
+    void fillRuleDecidesAboutHoles() {
         String star = "<path d='M0,0h90v90h-90z M30,30h30v30h-30z' fill-rule='%s'/>";
         assertThat(floor(star.formatted("evenodd")).get(0).region().contains(0.045, 0.045)).isFalse();
         assertThat(floor(star.formatted("nonzero")).get(0).region().contains(0.045, 0.045)).isTrue();
     }
 
-    @Test void gradientCountsAsItsAverage() {
+    @Test
+    void gradientCountsAsItsAverage() {
         String defs = "<defs><linearGradient id='g'><stop offset='0' stop-color='black'/><stop offset='1' "
                 + "style='stop-color:#ffffff'/></linearGradient>"
                 + "<radialGradient id='h' href='#g'/>"
@@ -107,7 +116,8 @@ class StylesTest {
         assertThat(colour("<rect width='9' height='9' fill='url(#missing) red'/>")).isEqualTo("255 0 0");
     }
 
-    @Test void textIsDecoration() {
+    @Test
+    void textIsDecoration() {
         assertThat(floor("<text x='10' y='10' fill='red'>START</text><title>t</title><desc>d</desc>")).isEmpty();
     }
 }

@@ -32,18 +32,21 @@ class TransformsTest {
                 + "'/>")).isEqualTo(expected);
     }
 
-    @Test void mirroringKeepsOutlinesClockwise() {
+    @Test
+    void mirroringKeepsOutlinesClockwise() {
         assertThat(outline("<rect data-solid='fixed' x='10' y='20' width='30' height='40' transform='scale(-1,1)'/>"))
                 .isEqualTo("-10,60 -40,60 -40,20 -10,20");
     }
 
-    @Test void groupsApplyFromTheOutside() {
+    @Test
+    void groupsApplyFromTheOutside() {
         assertThat(outline("<g transform='translate(100,0)'><g transform='rotate(90)'>"
                 + "<rect data-solid='fixed' x='10' y='20' width='30' height='40'/></g></g>"))
                         .isEqualTo("80,10 80,40 40,40 40,10");
     }
 
-    @Test void innerViewportFitsItsViewBox() {
+    @Test
+    void innerViewportFitsItsViewBox() {
         assertThat(outline("<svg x='100' y='100' width='200' height='100' viewBox='0 0 10 10'><rect "
                 + "data-solid='fixed' width='10' height='10'/></svg>"))
                 .isEqualTo("150,100 250,100 250,200 150,200");
@@ -55,7 +58,8 @@ class TransformsTest {
                 + "<rect data-solid='fixed' width='10' height='10'/></svg>")).isEqualTo("0,0 200,0 200,200 0,200");
     }
 
-    @Test void usePlacesACopy() {
+    @Test
+    void usePlacesACopy() {
         assertThat(outline("<defs><rect id='r' width='10' height='20'/></defs><use href='#r' x='100' y='50' "
                 + "data-solid='fixed'/>"))
                 .isEqualTo("100,50 110,50 110,70 100,70");
@@ -64,7 +68,8 @@ class TransformsTest {
                 + " transform='rotate(90)' x='100' data-solid='fixed'/>")).isEqualTo("0,100 0,110 -20,110 -20,100");
     }
 
-    @Test void useOfAUseAndOfASymbol() {
+    @Test
+    void useOfAUseAndOfASymbol() {
         assertThat(outline("<defs><rect id='r' width='10' height='10'/><use id='u' href='#r' x='5'/></defs><use "
                 + "href='#u' y='7' data-solid='fixed'/>"))
                 .isEqualTo("5,7 15,7 15,17 5,17");

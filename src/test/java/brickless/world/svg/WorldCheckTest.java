@@ -23,17 +23,20 @@ class WorldCheckTest {
                 .getMessage();
     }
 
-    @Test void robotBesideAWallIsFine() {
+    @Test
+    void robotBesideAWallIsFine() {
         World world = world("<rect data-solid='fixed' x='551' y='0' width='50' height='1000'/>");
         assertThatCode(() -> WorldCheck.placement(world, ROBOT, new Pose2(0.5, 0.5, 0))).doesNotThrowAnyException();
     }
 
-    @Test void robotTouchingAWallIsFine() {
+    @Test
+    void robotTouchingAWallIsFine() {
         World world = world("<rect data-solid='fixed' x='550' y='0' width='50' height='1000'/>");
         assertThatCode(() -> WorldCheck.placement(world, ROBOT, new Pose2(0.5, 0.5, 0))).doesNotThrowAnyException();
     }
 
-    @Test void robotInAWallIsLocated() {
+    @Test
+    void robotInAWallIsLocated() {
         World world = world("<rect id='wall' data-solid='fixed' x='549' y='0' width='50' height='1000'/>\n<g "
                 + "id='start' data-robot='me' transform='translate(500,500)'/>");
         assertThat(error(world, new Pose2(0.5, 0.5, 0)))
@@ -41,7 +44,8 @@ class WorldCheckTest {
                         + "degrees); move one of them");
     }
 
-    @Test void robotAroundAThinPostAndWhollyInsideABlockAreFound() {
+    @Test
+    void robotAroundAThinPostAndWhollyInsideABlockAreFound() {
         World post = world("<circle id='post' data-solid='fixed' cx='510' cy='500' r='4'/>");
         assertThat(error(post, new Pose2(0.5, 0.5, 1)))
                 .startsWith("test.svg: the robot test starts inside the obstacle post");
@@ -49,19 +53,22 @@ class WorldCheckTest {
         assertThat(error(block, new Pose2(0.5, 0.5, 1))).contains("inside the obstacle block");
     }
 
-    @Test void turningTheRobotMayMakeItFit() {
+    @Test
+    void turningTheRobotMayMakeItFit() {
         World lane = world("<rect data-solid='fixed' y='400' width='1000' height='55'/><rect data-solid='fixed' "
                 + "y='545' width='1000' height='55'/>");
         assertThatCode(() -> WorldCheck.placement(lane, ROBOT, new Pose2(0.5, 0.5, 0))).doesNotThrowAnyException();
         assertThat(error(lane, new Pose2(0.5, 0.5, Math.PI / 2))).contains("90 degrees");
     }
 
-    @Test void robotOutsideTheDrawing() {
+    @Test
+    void robotOutsideTheDrawing() {
         assertThat(error(world(""), new Pose2(1.2, 0.5, 0)))
                 .contains("starts outside the drawing, at (1200 mm, 500 mm, 0 degrees)");
     }
 
-    @Test void wheelBesideTheTable() {
+    @Test
+    void wheelBesideTheTable() {
         World table = world("<rect data-edge='cliff' width='1000' height='550'/>");
         assertThatCode(() -> WorldCheck.placement(table, ROBOT, new Pose2(0.5, 0.4, 0))).doesNotThrowAnyException();
         assertThat(error(table, new Pose2(0.5, 0.5, 0)))

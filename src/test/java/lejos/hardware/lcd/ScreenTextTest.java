@@ -16,11 +16,11 @@ import org.junit.jupiter.api.extension.ExtendWith;
 class ScreenTextTest {
     private PanelBench bench;
 
-    private String text() {
+    private static String text() {
         return ScreenText.read(LCD.getDisplay());
     }
 
-    private int ink() {
+    private static int ink() {
         int count = 0;
         for (byte b : LCD.getDisplay()) {
             count += Integer.bitCount(b & 0xff);

@@ -310,7 +310,7 @@ class RegulatedMotorMovesTest {
     }
 
     @Test
-    void otherThreadsCanCommandAMotorThatSomebodyWaitsFor() throws InterruptedException {
+    void otherThreadsCanCommandAMotorThatSomebodyWaitsFor() {
         boolean[] moving = new boolean[1];
         Thread other = new Thread(() -> {
             moving[0] = motor.isMoving();

@@ -46,8 +46,8 @@ final class ChassisDriver {
     }
 
     private Wheel holonomicWheel(int i) {
-        WheeledChassis.HolonomicModeler wheel = WheeledChassis.modelHolonomicWheel(motors[i], 30 + random.nextDouble() * 60)
-                .gearRatio(0.5 + random.nextDouble() * 3).invert(random.nextBoolean());
+        WheeledChassis.HolonomicModeler wheel = WheeledChassis.modelHolonomicWheel(motors[i],
+                30 + random.nextDouble() * 60).gearRatio(0.5 + random.nextDouble() * 3).invert(random.nextBoolean());
         double angle = i * 120 + random.nextDouble() * 30;
         return random.nextBoolean() ? wheel.polarPosition(angle, 50 + random.nextDouble() * 100)
                 : wheel.cartesianPosition(40 + random.nextDouble() * 60, random.nextDouble() * 99, angle);
@@ -83,7 +83,10 @@ final class ChassisDriver {
         note("no arc");
     }
 
-    /** Makes the speeds and accelerations such that the published rule, which looks at the radius only, is the intended one. */
+    /**
+     * Makes the speeds and accelerations such that the published rule, which looks at the radius only, is the intended
+     * one.
+     */
     private void alikeFor(double radius) {
         double distancePerDegree = Math.toRadians(Math.abs(radius));
         double linear = 50 + random.nextDouble() * 100;
@@ -98,7 +101,8 @@ final class ChassisDriver {
         chassis.setAcceleration(300, 400);
         chassis.setVelocity(400 + random.nextDouble() * 200, random.nextDouble() * 90);
         note("velocity");
-        chassis.setVelocity(400 + random.nextDouble() * 200, holonomic ? random.nextInt(360) : 180, random.nextDouble() * 50);
+        chassis.setVelocity(400 + random.nextDouble() * 200, holonomic ? random.nextInt(360) : 180,
+                random.nextDouble() * 50);
         note("velocity in a direction");
     }
 
@@ -125,7 +129,9 @@ final class ChassisDriver {
         }
     }
 
-    /** A motor that has its speed already is told to accelerate by 0 by the published class, which stops it for ever. */
+    /**
+     * A motor that has its speed already is told to accelerate by 0 by the published class, which stops it for ever.
+     */
     private static boolean hardlyChanges(FakeMotor motor, String[] command) {
         int speed = Integer.parseInt(command[1]) * (command[2].equals("backward") ? -1 : 1);
         return !command[2].equals("rotate") && Math.abs(speed - motor.getRotationSpeed()) < 20;

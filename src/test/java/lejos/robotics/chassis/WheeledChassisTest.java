@@ -71,7 +71,8 @@ class WheeledChassisTest {
         "0 | -Infinity | forward 450 | backward 450",
         "Infinity | 90 | forward 450 | forward 450",
         "-Infinity | -90 | backward 450 | backward 450"})
-    void arcWithoutEndGoesWhereTheSameArcWithAnEndGoes(double radius, double angle, String leftMotion, String rightMotion) {
+    void arcWithoutEndGoesWhereTheSameArcWithAnEndGoes(double radius, double angle, String leftMotion,
+            String rightMotion) {
         chassis.arc(radius, angle);
         assertThat(motion(left)).isEqualTo(leftMotion);
         assertThat(motion(right)).isEqualTo(rightMotion);
@@ -186,7 +187,8 @@ class WheeledChassisTest {
     @Test
     void badSetupsAndSpeedsAreRefused() {
         Wheel wheel = WheeledChassis.modelWheel(left, 56);
-        assertThatThrownBy(() -> new WheeledChassis(new Wheel[] {wheel}, 2)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new WheeledChassis(new Wheel[] {wheel}, 2))
+                .isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> differential(60, 60)).isInstanceOf(RuntimeException.class);
         assertThatThrownBy(() -> chassis.setSpeed(0, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> chassis.setAcceleration(1, -1)).isInstanceOf(IllegalArgumentException.class);

@@ -18,6 +18,7 @@ class DumpTest {
         new RandomSource(3, 2, 0).fetchSample(plain, 1);
         new Dump(new RandomSource(3, 2, 0)).fetchSample(dumped, 1);
         assertThat(dumped).isEqualTo(plain);
-        assertThat(bench.screen().asText()).contains(String.format("%7.3f", plain[1])).contains(String.format("%7.3f", plain[2]));
+        assertThat(bench.screen().asText()).contains(String.format("%7.3f", plain[1]))
+                .contains(String.format("%7.3f", plain[2]));
     }
 }

@@ -52,6 +52,7 @@ class PublishedSamplesTest {
 
     @Test
     void otherPacketsAreNoAnnouncements() {
-        assertThatThrownBy(() -> new PublishedSource("127.0.0.1", new byte[] {0, 9, 1})).isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> new PublishedSource("127.0.0.1", new byte[] {0, 9, 1}))
+                .isInstanceOf(IOException.class);
     }
 }

@@ -36,7 +36,8 @@ final class ShapesDriver {
         bounds(seen, "line ", line);
         line.setLine(new Point2D.Double(c[4], c[5]), new Point2D.Float((float) c[6], (float) c[7]));
         seen.note("x1", line.getX1()).note("y1", line.getY1()).note("x2", line.getX2()).note("y2", line.getY2());
-        seen.note("ccw here", line.relativeCCW(c[0], c[1])).note("near here", line.ptSegDist(new Point2D.Double(c[0], c[1])));
+        seen.note("ccw here", line.relativeCCW(c[0], c[1]))
+                .note("near here", line.ptSegDist(new Point2D.Double(c[0], c[1])));
         Line2D narrow = new Line2D.Float((float) c[0], (float) c[1], (float) c[2], (float) c[3]);
         bounds(seen, "narrow ", narrow);
         seen.note("cross narrow", narrow.intersectsLine(line));
@@ -44,7 +45,8 @@ final class ShapesDriver {
 
     private static void rectangles(Sightings seen, String name, Rectangle2D r, double[] c) {
         seen.note(name + "outcode", r.outcode(c[4], c[5])).note(name + "empty", r.isEmpty());
-        seen.note(name + "contains point", r.contains(c[4], c[5])).note(name + "contains p", r.contains(new Point2D.Double(c[4], c[5])));
+        seen.note(name + "contains point", r.contains(c[4], c[5]))
+                .note(name + "contains p", r.contains(new Point2D.Double(c[4], c[5])));
         seen.note(name + "contains rect", r.contains(c[4], c[5], c[6], c[7]));
         seen.note(name + "meets", r.intersects(c[4], c[5], c[6], c[7]));
         seen.note(name + "itself", r.contains(r)).note(name + "meets itself", r.intersects(r));

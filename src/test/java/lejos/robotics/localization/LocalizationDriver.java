@@ -37,8 +37,10 @@ final class LocalizationDriver {
         note(seen, "origin", odometry.getPose());
         for (int i = 0; i < 8; i++) {
             Move.MoveType type = Move.MoveType.values()[random.nextInt(4)];
-            float distance = type == Move.MoveType.ROTATE || type == Move.MoveType.STOP ? 0 : random.nextFloat() * 100 - 50;
-            float angle = type == Move.MoveType.TRAVEL || type == Move.MoveType.STOP ? 0 : random.nextFloat() * 400 - 200;
+            float distance = type == Move.MoveType.ROTATE || type == Move.MoveType.STOP
+                    ? 0 : random.nextFloat() * 100 - 50;
+            float angle = type == Move.MoveType.TRAVEL || type == Move.MoveType.STOP
+                    ? 0 : random.nextFloat() * 400 - 200;
             pilot.start();
             if (random.nextBoolean()) {
                 pilot.progress(type, distance / 3, angle / 3);
@@ -57,7 +59,8 @@ final class LocalizationDriver {
     }
 
     private static void particles(Sightings seen, Random random) {
-        MCLParticleSet set = new MCLParticleSet(ROOM, 6, new Pose(80 + random.nextInt(40), 50, random.nextInt(360)), 0, 0);
+        MCLParticleSet set = new MCLParticleSet(ROOM, 6,
+                new Pose(80 + random.nextInt(40), 50, random.nextInt(360)), 0, 0);
         RangeReadings readings = new RangeReadings(3);
         for (int i = 0; i < 3; i++) {
             readings.setRange(i, i * 90 - 90, 20 + random.nextInt(100));
@@ -69,7 +72,8 @@ final class LocalizationDriver {
             set.getParticle(i).setWeight(i / 8f);
         }
         seen.note("heaviest", set.getMaxWeight());
-        Bytes.note(seen, "set", set, Float.BYTES); // the first number is the greatest weight, which the published class may forget
+        // the first number is the greatest weight, which the published class may forget
+        Bytes.note(seen, "set", set, Float.BYTES);
         seen.note("closest", set.findClosest(random.nextInt(200), 30)).note("none", set.findClosest(1e6f, 0));
         set.setDistanceNoiseFactor(0);
         set.setAngleNoiseFactor(0);
@@ -94,16 +98,20 @@ final class LocalizationDriver {
         Bytes.note(seen, "feature", feature, 24);
         RangeFeature copy = Bytes.copy(feature, new RangeFeature(new RangeReading(1, 2)));
         note(seen, "feature pose", copy.getPose());
-        seen.note("feature range", copy.getRangeReading().getRange()).note("feature angle", copy.getRangeReading().getAngle());
+        seen.note("feature range", copy.getRangeReading().getRange())
+                .note("feature angle", copy.getRangeReading().getAngle());
         seen.note("feature readings", feature.getRangeReadings().getNumReadings());
     }
 
-    /** Means are rounded in another order, so that last bits differ: not the bytes but the numbers in them are compared. */
+    /**
+     * Means are rounded in another order, so that last bits differ: not the bytes but the numbers in them are compared.
+     */
     private static void wire(Sightings seen, MCLPoseProvider provider) {
         Bytes.note(seen, "provider", provider, 10 * Float.BYTES);
         MCLPoseProvider copy = Bytes.copy(provider, new MCLPoseProvider(ROOM, 1, 0));
         note(seen, "copied estimate", copy.getEstimatedPose());
-        seen.note("copied min x", copy.getMinX()).note("copied max x", copy.getMaxX()).note("copied min y", copy.getMinY());
+        seen.note("copied min x", copy.getMinX()).note("copied max x", copy.getMaxX())
+                .note("copied min y", copy.getMinY());
         seen.note("copied max y", copy.getMaxY());
     }
 
@@ -119,13 +127,15 @@ final class LocalizationDriver {
             bearings[i] = (robot.relativeBearing(places[i]) + 360) % 360;
             list.add(bearings[i]);
         }
-        Pose found = new BeaconTriangle(places[0], places[1], places[2]).calcPose(bearings[0], bearings[1], bearings[2]);
+        Pose found = new BeaconTriangle(places[0], places[1], places[2])
+                .calcPose(bearings[0], bearings[1], bearings[2]);
         seen.note("found x", Math.round(found.getX())).note("found y", Math.round(found.getY()));
         seen.note("found heading cosine", Math.cos(Math.toRadians(Math.round(found.getHeading()))));
         seen.note("largest", BeaconPoseProvider.getLargestIndex(list));
     }
 
     private static void note(Sightings seen, String label, Pose pose) {
-        seen.note(label + ".x", pose.getX()).note(label + ".y", pose.getY()).note(label + ".heading", pose.getHeading());
+        seen.note(label + ".x", pose.getX()).note(label + ".y", pose.getY())
+                .note(label + ".heading", pose.getHeading());
     }
 }

@@ -102,7 +102,8 @@ class LocalizationTest {
         readings.setRange(0, 0, 140 + 10);
         readings.setRange(1, 90, 70 - 20);
         particle.calculateWeight(readings, room, 400);
-        assertThat((double) particle.getWeight()).isCloseTo(Math.exp(-100 / 400.0) * Math.exp(-400 / 400.0), within(1e-5));
+        assertThat((double) particle.getWeight())
+                .isCloseTo(Math.exp(-100 / 400.0) * Math.exp(-400 / 400.0), within(1e-5));
         particle = new MCLParticle(new Pose(-1, 30, 0));
         particle.calculateWeight(readings, room, 400);
         assertThat(particle.getWeight()).as("outside").isZero();
@@ -145,7 +146,8 @@ class LocalizationTest {
         Pose estimate = provider.getPose();
         assertThat(estimate.distanceTo(truth.getLocation())).isLessThan(15);
         assertThat(provider.getSigmaX()).isPositive().isLessThan(25);
-        assertThat(Bytes.copy(provider, new MCLPoseProvider(room, 1, 0)).getEstimatedPose().getX()).isEqualTo(estimate.getX());
+        assertThat(Bytes.copy(provider, new MCLPoseProvider(room, 1, 0)).getEstimatedPose().getX())
+                .isEqualTo(estimate.getX());
     }
 
     @Test

@@ -55,7 +55,8 @@ class EV3NavigationModelTest {
             send(NavEvent.GET_POSE);
             assertThat(pose().getX()).isCloseTo(30, within(0.5f));
         }
-        assertThat(heard).containsExactly("connected", "SET_POSE", "GET_POSE", "TRAVEL", "ADD_WAYPOINT", "START_NAVIGATOR", "GET_POSE");
+        assertThat(heard).containsExactly("connected", "SET_POSE", "GET_POSE", "TRAVEL", "ADD_WAYPOINT",
+                "START_NAVIGATOR", "GET_POSE");
     }
 
     @Test
@@ -71,7 +72,8 @@ class EV3NavigationModelTest {
             out.writeByte(NavEvent.values().length);
             out.writeByte(-1);
             send(NavEvent.GET_POSE);
-            assertThat(pose().getX()).as("the first thing to be told is what was asked for").isCloseTo(99.7f, within(0.1f));
+            assertThat(pose().getX()).as("the first thing to be told is what was asked for")
+                    .isCloseTo(99.7f, within(0.1f));
             readingsParticlesAndBattery();
             model.shutDown();
             send(NavEvent.GET_POSE);
@@ -148,8 +150,9 @@ class EV3NavigationModelTest {
         while (told.size() < 6) {
             told.add(nextOfTheDrive());
         }
-        assertThat(told).as("the pilot tells of its moves on a thread of its own").containsExactlyInAnyOrder(NavEvent.MOVE_STOPPED,
-                NavEvent.SET_POSE, NavEvent.MOVE_STOPPED, NavEvent.SET_POSE, NavEvent.WAYPOINT_REACHED, NavEvent.PATH_COMPLETE);
+        assertThat(told).as("the pilot tells of its moves on a thread of its own")
+                .containsExactlyInAnyOrder(NavEvent.MOVE_STOPPED, NavEvent.SET_POSE, NavEvent.MOVE_STOPPED,
+                        NavEvent.SET_POSE, NavEvent.WAYPOINT_REACHED, NavEvent.PATH_COMPLETE);
         assertThat(told.indexOf(NavEvent.WAYPOINT_REACHED)).isLessThan(told.indexOf(NavEvent.PATH_COMPLETE));
     }
 

@@ -65,7 +65,8 @@ final class MapDriver {
         }
         svg.append("</g></svg>");
         try {
-            return new SVGMapLoader(new ByteArrayInputStream(svg.toString().getBytes(StandardCharsets.UTF_8))).readLineMap();
+            return new SVGMapLoader(new ByteArrayInputStream(svg.toString().getBytes(StandardCharsets.UTF_8)))
+                    .readLineMap();
         } catch (XMLStreamException e) {
             throw new AssertionError(e);
         }

@@ -52,7 +52,8 @@ class MapTest {
             float range = square.range(pose);
             assertThat(range).as("ray " + i).isPositive();
             Point hit = pose.pointAt(range, pose.getHeading());
-            double gap = Math.min(Math.min(Math.abs(hit.x), Math.abs(hit.x - 100)), Math.min(Math.abs(hit.y), Math.abs(hit.y - 100)));
+            double gap = Math.min(Math.min(Math.abs(hit.x), Math.abs(hit.x - 100)),
+                    Math.min(Math.abs(hit.y), Math.abs(hit.y - 100)));
             assertThat(gap).as("ray " + i).isLessThan(1e-3);
         }
     }

@@ -18,7 +18,8 @@ final class ArcDriver {
         float radius = (20 + random.nextInt(60)) * (random.nextBoolean() ? 1 : -1);
         ArcDriver driver = new ArcDriver();
         driver.note("to point", ArcAlgorithms.getAvailablePaths(start, end.getLocation(), radius));
-        driver.note("to pose", ArcAlgorithms.getAvailablePaths(start, radius, end, random.nextBoolean() ? radius : -radius));
+        driver.note("to pose", ArcAlgorithms.getAvailablePaths(start, radius, end,
+                random.nextBoolean() ? radius : -radius));
         driver.length("best to point", ArcAlgorithms.getBestPath(start, end.getLocation(), radius));
         driver.length("best to pose", ArcAlgorithms.getBestPath(start, radius, end, radius));
         driver.geometry(start, end, radius);

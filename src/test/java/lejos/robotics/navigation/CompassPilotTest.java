@@ -40,7 +40,8 @@ class CompassPilotTest {
         pilot.rotate(90.0);
         assertThat(pilot.getHeadingError()).as("turned without the compass").isCloseTo(90, within(1f));
         pilot.rotate(90f);
-        assertThat(pilot.getCompassHeading()).as("the heading to keep was 0, and is 90 now").isCloseTo(90, within(2.5f));
+        assertThat(pilot.getCompassHeading()).as("the heading to keep was 0, and is 90 now")
+                .isCloseTo(90, within(2.5f));
     }
 
     @Test
@@ -73,6 +74,7 @@ class CompassPilotTest {
 
     @Test
     void nobodyBalancesOnABall() {
-        assertThatThrownBy(() -> new Ballbot(null, null, null, null, 4)).isInstanceOf(UnsupportedOperationException.class);
+        assertThatThrownBy(() -> new Ballbot(null, null, null, null, 4))
+                .isInstanceOf(UnsupportedOperationException.class);
     }
 }

@@ -3,7 +3,9 @@ package lejos.robotics.navigation;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A robot that does at once and exactly what it is told, and notes it. Of an arc, the sign of the distance is forward. */
+/**
+ * A robot that does at once and exactly what it is told, and notes it. Of an arc, the sign of the distance is forward.
+ */
 final class FakeController implements ArcRotateMoveController {
     private final List<String> calls = new ArrayList<>();
     private final List<MoveListener> listeners = new ArrayList<>();
@@ -27,7 +29,8 @@ final class FakeController implements ArcRotateMoveController {
     private synchronized void note(String call, double... numbers) {
         StringBuilder line = new StringBuilder(call);
         for (double number : numbers) {
-            line.append(' ').append(Double.isInfinite(number) ? "infinite" : String.valueOf(Math.round(number * 10) / 10.0));
+            line.append(' ').append(Double.isInfinite(number)
+                    ? "infinite" : String.valueOf(Math.round(number * 10) / 10.0));
         }
         calls.add(line.toString());
     }

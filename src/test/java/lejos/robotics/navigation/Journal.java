@@ -34,7 +34,8 @@ final class Journal implements MoveListener, NavigationListener {
 
     private synchronized void note(String what, Move move) {
         moves.add(move);
-        lines.add(what + " " + move.getMoveType() + " " + number(move.getDistanceTraveled()) + " " + number(move.getAngleTurned()));
+        lines.add(what + " " + move.getMoveType() + " " + number(move.getDistanceTraveled()) + " "
+                + number(move.getAngleTurned()));
     }
 
     private static String number(float value) {

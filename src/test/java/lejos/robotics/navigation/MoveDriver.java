@@ -65,10 +65,12 @@ final class MoveDriver {
         Waypoint waypoint = new Waypoint(c[0], c[1], c[2]);
         Bytes.note(seen, "waypoint", waypoint);
         Waypoint plain = new Waypoint(new Point(c[3], c[4]));
-        seen.note("required", plain.isHeadingRequired()).note("heading", new Waypoint(new Pose(c[0], c[1], c[2])).getHeading());
+        seen.note("required", plain.isHeadingRequired())
+                .note("heading", new Waypoint(new Pose(c[0], c[1], c[2])).getHeading());
         note(seen, "pose", Bytes.copy(waypoint, plain).getPose());
         Pose pose = new Pose(c[3], c[4], c[5]);
-        seen.note("valid", waypoint.checkValidity(pose)).note("error", waypoint.getMaxPositionError() + waypoint.getMaxHeadingError());
+        seen.note("valid", waypoint.checkValidity(pose))
+                .note("error", waypoint.getMaxPositionError() + waypoint.getMaxHeadingError());
         waypoint.setMaxPositionError(150);
         seen.note("near", waypoint.checkValidity(pose));
         waypoint.setMaxHeadingError(90);
@@ -85,7 +87,8 @@ final class MoveDriver {
         readings.setRange(1, c[0], c[1]);
         readings.setRange(2, c[2], c[3]);
         Bytes.note(seen, "readings", readings);
-        seen.note("at angle", readings.getRange(c[2])).note("second", readings.getRange(1)).note("third angle", readings.getAngle(2));
+        seen.note("at angle", readings.getRange(c[2])).note("second", readings.getRange(1))
+                .note("third angle", readings.getAngle(2));
     }
 
     private static void note(Sightings seen, String label, Move move) {
@@ -97,6 +100,7 @@ final class MoveDriver {
     }
 
     private static void note(Sightings seen, String label, Pose pose) {
-        seen.note(label + ".x", pose.getX()).note(label + ".y", pose.getY()).note(label + ".heading", pose.getHeading());
+        seen.note(label + ".x", pose.getX()).note(label + ".y", pose.getY())
+                .note(label + ".heading", pose.getHeading());
     }
 }

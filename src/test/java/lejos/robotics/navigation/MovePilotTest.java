@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Timeout;
 class MovePilotTest {
     private final FakeMotor left = new FakeMotor();
     private final FakeMotor right = new FakeMotor();
-    private final WheeledChassis chassis = new WheeledChassis(new Wheel[] {WheeledChassis.modelWheel(left, 56).offset(60),
+    private final WheeledChassis chassis =
+            new WheeledChassis(new Wheel[] {WheeledChassis.modelWheel(left, 56).offset(60),
         WheeledChassis.modelWheel(right, 56).offset(-60)}, WheeledChassis.TYPE_DIFFERENTIAL);
     private final MovePilot pilot = new MovePilot(chassis);
     private final Journal journal = new Journal();
@@ -39,8 +40,8 @@ class MovePilotTest {
     void listenersKnowOfAMoveWhenTheCallReturns() {
         pilot.travel(100);
         pilot.rotate(-90);
-        assertThat(journal.lines()).containsExactly("started TRAVEL 100 0", "stopped TRAVEL 100 0", "started ROTATE 0 -90",
-                "stopped ROTATE 0 -90");
+        assertThat(journal.lines()).containsExactly("started TRAVEL 100 0", "stopped TRAVEL 100 0",
+                "started ROTATE 0 -90", "stopped ROTATE 0 -90");
         assertThat(journal.moves()).doesNotHaveDuplicates();
         assertThat(journal.moves()).extracting(Move::isMoving).containsOnly(false);
     }

@@ -17,7 +17,8 @@ class OmniPilotTest {
     private final FakeMotor central = new FakeMotor();
     private final FakeMotor clockwise = new FakeMotor();
     private final FakeMotor counterClockwise = new FakeMotor();
-    private final OmniPilot pilot = new OmniPilot(100, 48, central, clockwise, counterClockwise, true, false, new EightVolts());
+    private final OmniPilot pilot = new OmniPilot(100, 48, central, clockwise, counterClockwise, true, false,
+            new EightVolts());
     private final Journal journal = new Journal();
 
     OmniPilotTest() {
@@ -66,8 +67,8 @@ class OmniPilotTest {
     @Test
     void turnsTurnAllWheelsAlike() {
         pilot.rotate(90);
-        assertThat(central.getTachoCount()).isEqualTo(clockwise.getTachoCount()).isEqualTo(counterClockwise.getTachoCount())
-                .isEqualTo((int) -(Math.PI / 2 * 100 * DEGREES_PER_UNIT));
+        assertThat(central.getTachoCount()).isEqualTo(clockwise.getTachoCount())
+                .isEqualTo(counterClockwise.getTachoCount()).isEqualTo((int) -(Math.PI / 2 * 100 * DEGREES_PER_UNIT));
         assertThat(journal.lines()).containsExactly("started ROTATE 0 90", "stopped ROTATE 0 90");
         assertThat(pilot.getAngularSpeed()).as("set because it was 0").isEqualTo(90);
     }

@@ -8,7 +8,10 @@ import lejos.robotics.FakeMotor;
 
 /** Drives the pilots of cars and of robots on three omnidirectional wheels, and notes what their motors are told. */
 final class OtherPilotsDriver {
-    /** The published class computes in single precision: a whole number may be off by one, which is made to count little. */
+    /**
+     * The published class computes in single precision: a whole number may be off by one, which is made to count
+     * little.
+     */
     private static final double WHOLE = 1000;
 
     /** Each published pilot leaves a thread behind: few pilots, many moves. */
@@ -67,8 +70,8 @@ final class OtherPilotsDriver {
 
     @SuppressWarnings("deprecation")
     private void omni() {
-        OmniPilot pilot = new OmniPilot(50 + random.nextInt(100), 20 + random.nextInt(80), motors[0], motors[1], motors[2],
-                random.nextBoolean(), random.nextBoolean(), new Volts(6 + random.nextInt(3)));
+        OmniPilot pilot = new OmniPilot(50 + random.nextInt(100), 20 + random.nextInt(80), motors[0],
+                motors[1], motors[2], random.nextBoolean(), random.nextBoolean(), new Volts(6 + random.nextInt(3)));
         seen.note("speed", pilot.getLinearSpeed()).note("turn", pilot.getAngularSpeed());
         seen.note("limit", pilot.getMaxLinearSpeed()).note("turn limit", pilot.getMaxAngularSpeed());
         pilot.rotate(amount());
@@ -99,7 +102,8 @@ final class OtherPilotsDriver {
             String name = label + " " + i;
             if (words.length > 3) {
                 int by = Integer.parseInt(words[3]);
-                seen.note(name + " speed", by == 0 ? 0 : Integer.parseInt(words[1]) / WHOLE).note(name + " by", by / WHOLE);
+                seen.note(name + " speed", by == 0 ? 0 : Integer.parseInt(words[1]) / WHOLE)
+                        .note(name + " by", by / WHOLE);
             }
         }
     }

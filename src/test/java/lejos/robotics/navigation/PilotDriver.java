@@ -111,8 +111,10 @@ final class PilotDriver {
         command(label + " right", right);
         seen.note(label + " distance", pilot.getMovementIncrement()).note(label + " angle", pilot.getAngleIncrement());
         if (rotating != null) {
-            seen.note(label + " speeds", pilot.getLinearSpeed() + 3 * pilot.getAngularSpeed() + 7 * pilot.getMaxRotateSpeed());
-            seen.note(label + " limits", pilot.getMaxLinearSpeed() + 5 * pilot.getMaxAngularSpeed() + pilot.getTurnRate());
+            seen.note(label + " speeds", pilot.getLinearSpeed() + 3 * pilot.getAngularSpeed()
+                    + 7 * pilot.getMaxRotateSpeed());
+            seen.note(label + " limits", pilot.getMaxLinearSpeed() + 5 * pilot.getMaxAngularSpeed()
+                    + pilot.getTurnRate());
         }
     }
 
@@ -132,7 +134,8 @@ final class PilotDriver {
         String[] words = command.split("[, ]+");
         seen.note(label + " acceleration", Integer.parseInt(words[0]));
         seen.note(label + " speed", words[2].equals("stop") ? 0 : Integer.parseInt(words[1]));
-        seen.note(label + " motion", words[2].hashCode()).note(label + " by", words.length > 3 ? Integer.parseInt(words[3]) : 0);
+        seen.note(label + " motion", words[2].hashCode())
+                .note(label + " by", words.length > 3 ? Integer.parseInt(words[3]) : 0);
     }
 
     /** Copies what the events say, without what is repaired: the sign of a distance, the kind of almost a turn. */
@@ -156,7 +159,7 @@ final class PilotDriver {
                 move.getAngleTurned(), move.getTravelSpeed(), move.getRotateSpeed(), move.isMoving() ? 1 : 0};
         }
 
-        private void note(Sightings seen, String label, float[] values) {
+        private static void note(Sightings seen, String label, float[] values) {
             for (int i = 0; i < values.length; i++) {
                 seen.note(label + " " + i, values[i]);
             }

@@ -47,7 +47,8 @@ class SteeringPilotTest {
 
     @Test
     void tooNarrowArcsAreRefused() {
-        assertThatThrownBy(() -> pilot.arc(299, 10)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("300");
+        assertThatThrownBy(() -> pilot.arc(299, 10)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("300");
         assertThatThrownBy(() -> pilot.arc(0, 10)).isInstanceOf(IllegalArgumentException.class);
         assertThat(drive.commands()).isEmpty();
     }

@@ -25,7 +25,8 @@ class PathFinderTest {
     private final Pose start = new Pose();
     private final Waypoint goal = new Waypoint(100, 0);
     private final LineMap wall = new LineMap(new Line[] {new Line(50, -20, 50, 20)}, AREA);
-    private final LineMap box = new LineMap(new Line[] {new Line(-5, -5, 5, -5), new Line(5, -5, 5, 5), new Line(5, 5, -5, 5),
+    private final LineMap box = new LineMap(
+            new Line[] {new Line(-5, -5, 5, -5), new Line(5, -5, 5, 5), new Line(5, 5, -5, 5),
         new Line(-5, 5, -5, -5)}, AREA);
 
     @BeforeEach
@@ -63,7 +64,8 @@ class PathFinderTest {
             Waypoint to = new Waypoint(195, 97);
             Path shortest = new ShortestPathFinder(map).findRoute(from, to);
             Path found = new DijkstraPathFinder(map).findRoute(from, to);
-            assertThat(PathDriver.length(found)).as("walls " + index).isCloseTo(PathDriver.length(shortest), within(0.01));
+            assertThat(PathDriver.length(found)).as("walls " + index)
+                    .isCloseTo(PathDriver.length(shortest), within(0.01));
         }
     }
 
@@ -188,7 +190,8 @@ class PathFinderTest {
     }
 
     /** A random walk may end in a corner from which nothing is nearer: it is made again, but not for ever. */
-    private static Path foundByChance(RandomPathFinder finder, Pose from, Waypoint destination) throws DestinationUnreachableException {
+    private static Path foundByChance(RandomPathFinder finder, Pose from, Waypoint destination)
+            throws DestinationUnreachableException {
         for (int attempt = 1; attempt < 200; attempt++) {
             try {
                 return finder.findRoute(from, destination);
@@ -201,7 +204,8 @@ class PathFinderTest {
 
     @Test
     void randomPathLeavesTheStartPoseAlone() throws DestinationUnreachableException {
-        LineMap room = new LineMap(new Line[] {new Line(0, 0, 200, 0), new Line(200, 0, 200, 100), new Line(200, 100, 0, 100),
+        LineMap room = new LineMap(new Line[] {new Line(0, 0, 200, 0), new Line(200, 0, 200, 100),
+                new Line(200, 100, 0, 100),
             new Line(0, 100, 0, 0), new Line(100, 0, 100, 60)}, new Rectangle(0, 0, 200, 100));
         RandomPathFinder finder = new RandomPathFinder(room, new RangeReadings(2));
         Pose from = new Pose(30, 30, 77);

@@ -4,7 +4,8 @@ package programs.failing.deadlocks;
  * The initialiser of an interface starts a thread that needs the interface, and joins it: neither can go on.
  *
  * @expected deadlock
- * @contains "Thread-0" BLOCKED on the initialisation of programs.failing.deadlocks.InitialiserJoinsItsUser$Settings held by "main"
+ * @contains "Thread-0" BLOCKED on the initialisation of programs.failing.deadlocks.InitialiserJoinsItsUser$Settings
+ *         held by "main"
  * @contains "main" WAITING for the end of "Thread-0"
  */
 public class InitialiserJoinsItsUser {

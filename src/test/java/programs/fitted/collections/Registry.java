@@ -26,7 +26,8 @@ public class Registry {
         List<Wheel> wheels = new ArrayList<>();
         wheels.add(WheeledChassis.modelWheel(motors.get("left"), 6.24).offset(-6.4));
         wheels.add(WheeledChassis.modelWheel(motors.get("right"), 6.24).offset(6.4));
-        MovePilot pilot = new MovePilot(new WheeledChassis(wheels.toArray(new Wheel[0]), WheeledChassis.TYPE_DIFFERENTIAL));
+        MovePilot pilot = new MovePilot(
+                new WheeledChassis(wheels.toArray(new Wheel[0]), WheeledChassis.TYPE_DIFFERENTIAL));
         pilot.setLinearSpeed(15);
         pilot.setAngularSpeed(60);
         pilot.travel(45);

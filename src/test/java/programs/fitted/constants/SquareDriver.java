@@ -7,7 +7,8 @@ class SquareDriver {
     private static final int FORWARD_SPEED = 250;
     private static final int ROTATE_SPEED = 150;
 
-    static void drive(EV3LargeRegulatedMotor leftMotor, EV3LargeRegulatedMotor rightMotor, double leftRadius, double rightRadius, double width) {
+    static void drive(EV3LargeRegulatedMotor leftMotor, EV3LargeRegulatedMotor rightMotor, double leftRadius,
+            double rightRadius, double width) {
         for (int i = 0; i < 3; i++) {
             leftMotor.setSpeed(FORWARD_SPEED);
             rightMotor.setSpeed(FORWARD_SPEED);

@@ -6,7 +6,8 @@ import lejos.hardware.port.MotorPort;
 
 /** Two medium motors drive, a large one lifts a fork. */
 public class LiftTruck {
-    static EV3MediumRegulatedMotor[] drive = {new EV3MediumRegulatedMotor(MotorPort.A), new EV3MediumRegulatedMotor(MotorPort.B)};
+    static EV3MediumRegulatedMotor[] drive = {new EV3MediumRegulatedMotor(MotorPort.A),
+            new EV3MediumRegulatedMotor(MotorPort.B)};
     static EV3LargeRegulatedMotor fork = new EV3LargeRegulatedMotor(MotorPort.C);
     static double wheelDiameterInMm = 68.8;
 

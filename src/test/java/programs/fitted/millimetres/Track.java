@@ -15,8 +15,10 @@ public class Track {
     static Brick brick = BrickFinder.getDefault();
 
     public static void main(String[] args) {
-        Wheel wheel1 = WheeledChassis.modelWheel(new EV3LargeRegulatedMotor(brick.getPort("B")), 81.6).offset(-70).gearRatio(3).invert(true);
-        Wheel wheel2 = WheeledChassis.modelWheel(new EV3LargeRegulatedMotor(brick.getPort("C")), 81.6).offset(70).gearRatio(3).invert(true);
+        Wheel wheel1 = WheeledChassis.modelWheel(new EV3LargeRegulatedMotor(brick.getPort("B")), 81.6).offset(-70)
+                .gearRatio(3).invert(true);
+        Wheel wheel2 = WheeledChassis.modelWheel(new EV3LargeRegulatedMotor(brick.getPort("C")), 81.6).offset(70)
+                .gearRatio(3).invert(true);
         Chassis chassis = new WheeledChassis(new Wheel[] {wheel1, wheel2}, WheeledChassis.TYPE_DIFFERENTIAL);
         MovePilot pilot = new MovePilot(chassis);
         pilot.setLinearSpeed(120);

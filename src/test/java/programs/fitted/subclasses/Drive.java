@@ -8,8 +8,8 @@ import lejos.robotics.navigation.MovePilot;
 /** The pilot of this robot. */
 class Drive extends MovePilot {
     Drive() {
-        super(new WheeledChassis(new Wheel[] {wheel(new DriveMotor(MotorPort.B), -6.9), wheel(new DriveMotor(MotorPort.A), 6.9)},
-                WheeledChassis.TYPE_DIFFERENTIAL));
+        super(new WheeledChassis(new Wheel[] {wheel(new DriveMotor(MotorPort.B), -6.9),
+                wheel(new DriveMotor(MotorPort.A), 6.9)}, WheeledChassis.TYPE_DIFFERENTIAL));
         setLinearSpeed(10);
         setAngularSpeed(50);
     }
