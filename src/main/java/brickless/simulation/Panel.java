@@ -29,7 +29,8 @@ final class Panel implements PanelListener {
     private final Optional<ButtonPolicy> policy;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
-    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around, Runnable endProgram) {
+    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around,
+            Runnable endProgram) {
         this.robot = robot;
         this.recorder = recorder;
         keys = new KeyPad(processor, this);
@@ -62,7 +63,8 @@ final class Panel implements PanelListener {
     }
 
     private static String nameOf(int key) {
-        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow().getKey();
+        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow()
+                .getKey();
     }
 
     void step(long nowNanos) {

@@ -6,21 +6,22 @@ import java.util.List;
 import java.util.OptionalLong;
 
 /**
- * Presses keys for a program while nobody is there: a wait for a key that has lasted a second gets a press of 200 ms, and so does a program
- * that has been asking for a key for three seconds in which no motor turned, as in {@code while (Button.ENTER.isUp())}. Repeated presses
- * cycle ENTER, RIGHT, LEFT, DOWN, UP, of the keys asked for; never ESCAPE. Guarded by the simulation's thread: only {@link #step} touches it.
+ * Presses keys for a program while nobody is there: a wait for a key that has lasted a second gets a press of 200 ms,
+ * and so does a program that has been asking for a key for three seconds in which no motor turned, as in {@code while
+ * (Button.ENTER.isUp())}. Repeated presses cycle ENTER, RIGHT, LEFT, DOWN, UP, of the keys asked for; never ESCAPE.
+ * Guarded by the simulation's thread: only {@link #step} touches it.
  */
 public final class ButtonPolicy {
     /** How long a wait must last before it is answered, in nanoseconds. */
     public static final long PATIENCE_NANOS = 1_000_000_000;
     /**
-     * Each wait is answered so much later than the one before, in nanoseconds: of two threads that look every 50 ms not always the same one
-     * sees the press first.
+     * Each wait is answered so much later than the one before, in nanoseconds: of two threads that look every 50 ms not
+     * always the same one sees the press first.
      */
     public static final long LATER_NANOS = 7_000_000;
     /** How long a program must ask for a key, and its motors rest, before it is pressed, in nanoseconds. Assumption. */
     public static final long ASKED_PATIENCE_NANOS = 3_000_000_000L;
-    /** Length of an automatic press in nanoseconds; a key that was asked for is held until the program has looked at it again. */
+    /** Length of an automatic press in nanoseconds; a key that was asked for is held until the program looks again. */
     public static final long PRESS_NANOS = 200_000_000;
     /** Longest press in nanoseconds, if the program does not look again. Assumption. */
     public static final long LONGEST_PRESS_NANOS = 5_000_000_000L;
@@ -77,7 +78,8 @@ public final class ButtonPolicy {
 
     private boolean waited(long nowNanos) {
         OptionalLong since = keys.waitingSince();
-        return since.isPresent() && nowNanos - since.getAsLong() >= PATIENCE_NANOS + presses.size() % PERIOD * LATER_NANOS;
+        long patience = PATIENCE_NANOS + presses.size() % PERIOD * LATER_NANOS;
+        return since.isPresent() && nowNanos - since.getAsLong() >= patience;
     }
 
     /** Presses the next key of the cycle that is wanted, if one is. */
