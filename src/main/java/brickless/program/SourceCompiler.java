@@ -75,7 +75,8 @@ final class SourceCompiler {
                 return new CompileErrors(List.of());
             }
         }
-        return new CompileErrors(messages.getDiagnostics().stream().filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
+        return new CompileErrors(messages.getDiagnostics().stream()
+                .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
     }
 
     /** Our leJOS before one that the program brings along, as when it runs; then the program's libraries. */

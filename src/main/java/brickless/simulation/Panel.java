@@ -30,7 +30,8 @@ final class Panel implements PanelListener {
     private long nextNanos;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
-    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around, Runnable endProgram) {
+    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around,
+            Runnable endProgram) {
         this.robot = robot;
         this.recorder = recorder;
         keys = new KeyPad(processor, this);
@@ -63,7 +64,8 @@ final class Panel implements PanelListener {
     }
 
     private static String nameOf(int key) {
-        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow().getKey();
+        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow()
+                .getKey();
     }
 
     /** To be called at every physics step; most of the time nothing is due. */

@@ -214,7 +214,8 @@ final class RobotSession {
         notes.addAll(plugs.notes());
         List<String> pressed = panel.automaticPresses();
         if (!pressed.isEmpty()) {
-            notes.add("keys pressed for the program while it waited: " + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
+            notes.add("keys pressed for the program while it waited: "
+                    + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
                     + (pressed.size() > KEYS_NAMED ? " and " + (pressed.size() - KEYS_NAMED) + " more" : "")
                     + " (--stimuli to press others, --buttons none to leave it waiting)");
         }

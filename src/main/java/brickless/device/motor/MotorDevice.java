@@ -263,7 +263,8 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     /** Whether the motor neither turns nor is driven; holding a position without load counts as rest. */
     public boolean rests() {
-        return Math.abs(shaftDegreesPerSecond()) < RESTING_DEGREES_PER_SECOND && Math.abs(dutyPercent()) < RESTING_DUTY_PERCENT;
+        return Math.abs(shaftDegreesPerSecond()) < RESTING_DEGREES_PER_SECOND
+                && Math.abs(dutyPercent()) < RESTING_DUTY_PERCENT;
     }
 
     /** Winding current, amperes, signed. */
