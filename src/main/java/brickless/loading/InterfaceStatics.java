@@ -49,7 +49,8 @@ final class InterfaceStatics {
         statics.sourceFile = type.sourceFile;
         for (FieldNode field : type.fields) {
             if (field.value == null) {
-                FieldNode moved = new FieldNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, field.name, field.desc, null, null);
+                FieldNode moved = new FieldNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, field.name,
+                        field.desc, null, null);
                 moved.visitAttribute(new OnceFinal());
                 statics.fields.add(moved);
             }

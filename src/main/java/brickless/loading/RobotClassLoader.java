@@ -14,13 +14,13 @@ import java.util.Enumeration;
 import java.util.List;
 
 /**
- * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots' own
- * hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
+ * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots'
+ * own hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
  *
- * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel before
- * any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards. Nothing
- * outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the other
- * calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
+ * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel
+ * before any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards.
+ * Nothing outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the
+ * other calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";

@@ -128,7 +128,8 @@ final class SourceCompiler {
 
     /** Whether a source file looks as if it had a main method. */
     static boolean mayHaveMain(Path source) throws IOException {
-        return MAIN.matcher(COMMENT.matcher(LenientSourceFiles.decode(Files.readAllBytes(source))).replaceAll(" ")).find();
+        return MAIN.matcher(COMMENT.matcher(LenientSourceFiles.decode(Files.readAllBytes(source)))
+                .replaceAll(" ")).find();
     }
 
     /** The package a source file declares, empty for none. */

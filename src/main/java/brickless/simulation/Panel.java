@@ -83,7 +83,8 @@ final class Panel implements PanelListener {
         nextNanos = Math.min(nextNanos, Math.min(chords.nextLookNanos(), screen.nextRefreshNanos()));
     }
 
-    @Override public void keysChanged(long nowNanos, int keyMask, boolean down, KeyOrigin origin) {
+    @Override
+    public void keysChanged(long nowNanos, int keyMask, boolean down, KeyOrigin origin) {
         String cause = switch (origin) {
             case HAND -> "stimulus";
             case POLICY -> "auto";
@@ -96,23 +97,29 @@ final class Panel implements PanelListener {
         }
     }
 
-    @Override public void ledChanged(long nowNanos, int pattern) {
+    @Override
+    public void ledChanged(long nowNanos, int pattern) {
         recorder.event(nowNanos, robot, new TraceEvent.LedEvent(pattern));
     }
 
-    @Override public void toneStarted(long nowNanos, int frequencyHertz, int durationMillis, int volumePercent) {
-        recorder.event(nowNanos, robot, new TraceEvent.SoundEvent("tone", frequencyHertz, durationMillis, volumePercent));
+    @Override
+    public void toneStarted(long nowNanos, int frequencyHertz, int durationMillis, int volumePercent) {
+        recorder.event(nowNanos, robot,
+                new TraceEvent.SoundEvent("tone", frequencyHertz, durationMillis, volumePercent));
     }
 
-    @Override public void sampleStarted(long nowNanos, String name, int durationMillis, int volumePercent) {
+    @Override
+    public void sampleStarted(long nowNanos, String name, int durationMillis, int volumePercent) {
         recorder.event(nowNanos, robot, new TraceEvent.SoundEvent(name, 0, durationMillis, volumePercent));
     }
 
-    @Override public void soundStopped(long nowNanos) {
+    @Override
+    public void soundStopped(long nowNanos) {
         recorder.event(nowNanos, robot, new TraceEvent.SoundEvent("silence", 0, 0, 0));
     }
 
-    @Override public void screenChanged(long nowNanos) {
+    @Override
+    public void screenChanged(long nowNanos) {
         byte[] now = screen.displayed();
         List<Integer> rows = new ArrayList<>();
         List<String> pixels = new ArrayList<>();

@@ -81,15 +81,18 @@ final class RobotSession {
 
     private ButtonPolicy.Circumstances around(Stimulator stimulator) {
         return new ButtonPolicy.Circumstances() {
-            @Override public boolean keyPressesToCome() {
+            @Override
+            public boolean keyPressesToCome() {
                 return stimulator.keyPressesToCome();
             }
 
-            @Override public boolean stimuliToCome() {
+            @Override
+            public boolean stimuliToCome() {
                 return stimulator.hasMoreToDo();
             }
 
-            @Override public boolean motorsRest() {
+            @Override
+            public boolean motorsRest() {
                 return devices.motorsRest();
             }
         };
