@@ -33,25 +33,30 @@ final class ManyRobots implements Measurement {
         return last;
     }
 
+    /** The first half of a run as {@code timesNewRun}, and the second half, of the same length, as the others. */
     private Figures round(int seconds) {
         Simulation simulation = new Simulation(SimulationSettings.builder(new RobotGrid(robots).world())
-                .robot(RobotGrid.model()).limit(Duration.ofSeconds(seconds)).build());
+                .robot(RobotGrid.model()).limit(Duration.ofSeconds(2L * seconds)).build());
         double[] before = memory();
         HostReading start = HostReading.now();
         Run run = simulation.start(Program.onClassPath(Bumper.class.getName()));
         run.advance(BEGINNING);
         HostReading begun = HostReading.now();
         double[] with = memory();
-        HostReading steady = HostReading.now();
+        HostReading first = HostReading.now();
+        run.advance(Duration.ofSeconds(seconds).minus(BEGINNING));
+        HostReading warm = HostReading.now();
+        run.advance(Duration.ofSeconds(seconds).minus(BEGINNING));
+        HostReading late = HostReading.now();
         run.toEnd();
-        HostReading end = HostReading.now();
         if (!run.outcome().kind().equals("time-limit")) {
             throw new IllegalStateException(run.report().text());
         }
         double simulated = seconds - BEGINNING.toMillis() / 1e3;
-        return new Figures().put("seconds", seconds).put("timesWall", simulated / end.wallSecondsSince(steady))
-                .put("timesCpu", simulated / end.processSecondsSince(steady))
-                .put("microsPerRobotStep", end.processSecondsSince(steady) * 1e6 / (simulated * 500 * robots))
+        return new Figures().put("seconds", seconds).put("timesWall", simulated / late.wallSecondsSince(warm))
+                .put("timesCpu", simulated / late.processSecondsSince(warm))
+                .put("timesNewRun", simulated / warm.wallSecondsSince(first))
+                .put("microsPerRobotStep", late.processSecondsSince(warm) * 1e6 / (simulated * 500 * robots))
                 .put("startMillis", begun.wallSecondsSince(start) * 1e3)
                 .put("heapKilobytesPerRobot", (with[0] - before[0]) / 1e3 / robots)
                 .put("classesKilobytesPerRobot", (with[1] - before[1]) / 1e3 / robots);

@@ -302,9 +302,11 @@ public class JavaMotorRegulator implements MotorRegulator {
         // the original has no synchronisation here either
     }
 
-    /** First part of a period. */
+    /** First part of a period. The motor may have been let go of, and its port closed, since the period began. */
     synchronized void readEncoder() {
-        encoder = tachoPort.getTachoCount();
+        if (active) {
+            encoder = tachoPort.getTachoCount();
+        }
     }
 
     /**

@@ -119,6 +119,18 @@ class JavaMotorRegulatorTest {
     }
 
     @Test
+    void aPeriodThatIsUnderWayLeavesAMotorAloneThatWasLetGo() {
+        motor.rotate(30);
+        motor.flt();
+        int looks = port.looks();
+        regulator.readEncoder();
+        regulator.compute(4);
+        regulator.writePower();
+        assertEquals(looks, port.looks());
+        assertEquals(BasicMotorPort.FLOAT, port.lastMode());
+    }
+
+    @Test
     void speedIsChangedWhileRunning() throws InterruptedException {
         motor.setSpeed(100);
         motor.forward();

@@ -14,6 +14,7 @@ final class SimulatedMotorPort implements TachoMotorPort {
     private boolean blocked;
     private int lastMode;
     private int pwmMode = -1;
+    private int looks;
 
     synchronized void block() {
         blocked = true;
@@ -50,8 +51,14 @@ final class SimulatedMotorPort implements TachoMotorPort {
         pwmMode = mode;
     }
 
+    /** How often the encoder was read. */
+    synchronized int looks() {
+        return looks;
+    }
+
     @Override
     public synchronized int getTachoCount() {
+        looks++;
         return (int) Math.round(degrees);
     }
 
