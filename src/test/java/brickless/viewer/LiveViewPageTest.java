@@ -171,9 +171,9 @@ class LiveViewPageTest {
         browser.hands().clickAndHold(page.element("[data-name=tin] .handle-shape polygon")).moveByOffset(-30, 10)
                 .release().perform();
         String world = "document.querySelector('.layer.world').shadowRoot.getElementById('tin')";
-        browser.await("(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < "
-                + "4)((%s.dataset.displacement || '0 0').split(' ').map(Number))"
-                .formatted(30 * page.scale(), 10 * page.scale(), world));
+        String near = "(([x, y]) => Math.abs(x + %s) < 4 && Math.abs(y - %s) < 4)"
+                + "((%s.dataset.displacement || '0 0').split(' ').map(Number))";
+        browser.await(near.formatted(30 * page.scale(), 10 * page.scale(), world));
         browser.run("document.querySelector('[data-name=tin]').focus()");
         browser.hands().sendKeys(Keys.DELETE).perform();
         browser.await(world + ".style.visibility === 'hidden'");
