@@ -27,10 +27,14 @@ final class RunEngine {
     private volatile RunReport report;
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener) {
-        this(settings, program, body, listener, new ProgramLoaders(true));
+        this(settings, program, body, listener, new ProgramLoaders(body.isEmpty() ? ProgramLoaders.Sharing.WITH_OTHER_RUNS
+                : ProgramLoaders.Sharing.IN_THE_RUN));
     }
 
-    /** An engine that uses given loaders and closes them in the end. */
+    /**
+     * An engine that uses given loaders and closes them in the end, or gives them back. A body may hand objects of the
+     * robot to others, who use them when the run is over.
+     */
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener, ProgramLoaders loaders) {
         this.loaders = loaders;
         crew = new Crew(settings, program);
@@ -92,7 +96,7 @@ final class RunEngine {
         if (!started) {
             started = true;
             stage.discard();
-            release();
+            release(false);
             gate.end(null);
         } else if (!gate.ended()) {
             gate.leave(() -> programs.forEach(program -> program.kernel().timeUp()));
@@ -123,19 +127,33 @@ final class RunEngine {
 
     private void run() {
         Throwable problem = null;
+        boolean orderly = false;
         try {
-            finish(new Ensemble(programs.stream().map(ProgramSession::kernel).toList(), this::step).run());
+            List<ProgramEnd> ends = new Ensemble(programs.stream().map(ProgramSession::kernel).toList(), this::step).run();
+            finish(ends);
+            orderly = ends.stream().noneMatch(end -> end.kind() == ProgramEnd.Kind.RUNAWAY);
         } catch (RuntimeException | Error e) {
             problem = e;
         } finally {
-            release();
+            end(orderly, problem);
+        }
+    }
+
+    private void end(boolean orderly, Throwable problem) {
+        try {
+            release(orderly);
+        } finally {
             gate.end(problem);
         }
     }
 
-    private void release() {
+    private void release(boolean orderly) {
         programs.forEach(ProgramSession::release);
-        loaders.close();
+        if (orderly) {
+            loaders.giveBack();
+        } else {
+            loaders.close();
+        }
         crew.close();
     }
 
