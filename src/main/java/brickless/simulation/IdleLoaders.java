@@ -25,6 +25,8 @@ final class IdleLoaders {
     /** The one that was used last comes first. */
     private final Deque<SoftReference<RobotClassLoader>> idle = new ArrayDeque<>();
 
+    private long reused;
+
     IdleLoaders(int capacity) {
         this.capacity = capacity;
     }
@@ -47,6 +49,7 @@ final class IdleLoaders {
                 all.remove();
             } else if (fits(loader, program, application)) {
                 all.remove();
+                reused++;
                 return Optional.of(loader);
             }
         }
@@ -71,7 +74,13 @@ final class IdleLoaders {
         idle.clear();
     }
 
+    /** How many are idle. */
     synchronized int size() {
         return idle.size();
+    }
+
+    /** How often a loader was taken out. */
+    synchronized long reused() {
+        return reused;
     }
 }
