@@ -6,7 +6,7 @@ import java.util.ServiceLoader;
 /**
  * Finds the brick that the calling program runs on.
  *
- * <p>This class is defined anew in a robot's class loader, and its static field exchanged with the robot, so it is
+ * <p>This class is defined anew in a robot's class loader, and its static field is exchanged with the robot, so it is
  * that robot's own. Loaded by the application loader (a plain {@code java -cp} run) the first {@link #brick()} starts a
  * live simulation through {@link BrickProvider}.
  */

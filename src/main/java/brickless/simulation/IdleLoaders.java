@@ -8,7 +8,9 @@ import java.lang.ref.SoftReference;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * Class loaders of runs that are over, for later runs of the same program in this JVM: what the JVM has loaded and
@@ -72,6 +74,11 @@ final class IdleLoaders {
     /** Forgets all. */
     synchronized void clear() {
         idle.clear();
+    }
+
+    /** Shows all that are idle. */
+    synchronized void forEach(Consumer<RobotClassLoader> action) {
+        idle.stream().map(SoftReference::get).filter(Objects::nonNull).forEach(action);
     }
 
     /** How many are idle. */

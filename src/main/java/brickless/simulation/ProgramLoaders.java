@@ -38,6 +38,14 @@ final class ProgramLoaders implements AutoCloseable {
     private final List<RobotClassLoader> open = new ArrayList<>();
     private final Map<List<Path>, RobotClassLoader> shared = new HashMap<>();
 
+    /**
+     * For a run of its programs' main methods, or of a body. That may hand objects of the robot to others, who use them
+     * when the run is over.
+     */
+    static ProgramLoaders ofRun(boolean hasBody) {
+        return new ProgramLoaders(hasBody || !CompleteExceptions.areGranted() ? Sharing.IN_THE_RUN : Sharing.WITH_OTHER_RUNS);
+    }
+
     /** No loaders yet. */
     ProgramLoaders(Sharing sharing) {
         this.sharing = sharing;

@@ -27,14 +27,10 @@ final class RunEngine {
     private volatile RunReport report;
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener) {
-        this(settings, program, body, listener, new ProgramLoaders(body.isEmpty() ? ProgramLoaders.Sharing.WITH_OTHER_RUNS
-                : ProgramLoaders.Sharing.IN_THE_RUN));
+        this(settings, program, body, listener, ProgramLoaders.ofRun(body.isPresent()));
     }
 
-    /**
-     * An engine that uses given loaders and closes them in the end, or gives them back. A body may hand objects of the
-     * robot to others, who use them when the run is over.
-     */
+    /** An engine that uses given loaders and closes them in the end, or gives them back. */
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener, ProgramLoaders loaders) {
         this.loaders = loaders;
         crew = new Crew(settings, program);

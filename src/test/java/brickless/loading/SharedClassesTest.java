@@ -24,18 +24,18 @@ class SharedClassesTest {
     @TestFactory
     Stream<DynamicTest> everyProgramDoesTheSameWithSharedClasses() throws IOException {
         return FixtureProgram.all().stream().filter(program -> !endsOnTheHost(program) && isShareable(program))
-                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> {
-                    checkWith(program, BackendChoice.AUTO, false);
-                    checkWith(program, BackendChoice.AUTO, true);
-                }));
+                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> checkWith(program, BackendChoice.AUTO, true)));
     }
 
     @TestFactory
-    Stream<DynamicTest> onThreadsToo() throws IOException {
+    Stream<DynamicTest> onThreadsAndInOrderToo() throws IOException {
         return FixtureProgram.all().stream()
                 .filter(program -> program.mainClass().contains(".statics.") || program.mainClass().contains(".initialisers."))
                 .filter(SharedClassesTest::isShareable)
-                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> checkWith(program, BackendChoice.THREADS, true)));
+                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> {
+                    checkWith(program, BackendChoice.THREADS, true);
+                    checkWith(program, BackendChoice.AUTO, false);
+                }));
     }
 
     private static boolean isShareable(FixtureProgram program) {
