@@ -9,7 +9,8 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A class source that can be exchanged for another one, as long as that gives the same answers: it remembers what was
- * asked for and the content of what was found. Questions may come from any thread; {@link #exchange} must not come while
+ * asked for and the content of what was found. Questions may come from any thread; {@link #exchange} must not come
+ * while
  * others ask.
  */
 final class RememberedClasses implements ClassSource {
@@ -35,7 +36,8 @@ final class RememberedClasses implements ClassSource {
 
     /** Whether another source would have given the same answers to everything that was asked so far. */
     boolean agreesWith(ClassSource other) {
-        return answers.entrySet().stream().allMatch(answer -> content(other.find(answer.getKey())).equals(answer.getValue()));
+        return answers.entrySet().stream()
+                .allMatch(answer -> content(other.find(answer.getKey())).equals(answer.getValue()));
     }
 
     /** The names that were asked for and found, in a fixed order. */

@@ -17,10 +17,12 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots' own
+ * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots'
+ * own
  * hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
  *
- * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel before
+ * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel
+ * before
  * any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards. Nothing
  * outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the other
  * calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
@@ -118,7 +120,8 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     }
 
     /**
-     * Opens another class path for a loader of {@link #ofPaths(List)}, which may have been closed, if the program is the
+     * Opens another class path for a loader of {@link #ofPaths(List)}, which may have been closed, if the program is
+     * the
      * same: all classes that were looked for so far are there with the same content, or absent as before.
      *
      * @return whether it is

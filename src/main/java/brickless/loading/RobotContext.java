@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * One of the robots that run the classes of a {@link RobotClassLoader}: what is static in them, for this robot. Only the
+ * One of the robots that run the classes of a {@link RobotClassLoader}: what is static in them, for this robot. Only
+ * the
  * robot that was {@linkplain #enter entered} last may run. Belongs to whoever runs the robots, one at a time.
  */
 public final class RobotContext {

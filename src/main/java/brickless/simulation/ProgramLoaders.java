@@ -17,8 +17,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The class loaders of a run: robots with the same program share one, unless the program could notice, and later runs of
- * the program use it again. The JVM then has to load and compile everything once.
+ * The class loaders of a run: robots with the same program share one, unless the program could notice, and later runs
+ * of the program use it again. The JVM then has to load and compile everything once.
  */
 final class ProgramLoaders implements AutoCloseable {
     /** Whose classes a robot has. */
@@ -43,7 +43,8 @@ final class ProgramLoaders implements AutoCloseable {
      * when the run is over.
      */
     static ProgramLoaders ofRun(boolean hasBody) {
-        return new ProgramLoaders(hasBody || !CompleteExceptions.areGranted() ? Sharing.IN_THE_RUN : Sharing.WITH_OTHER_RUNS);
+        boolean once = hasBody || !CompleteExceptions.areGranted();
+        return new ProgramLoaders(once ? Sharing.IN_THE_RUN : Sharing.WITH_OTHER_RUNS);
     }
 
     /** No loaders yet. */
@@ -99,8 +100,8 @@ final class ProgramLoaders implements AutoCloseable {
      * that came to its end: nothing of it may still run.
      */
     void giveBack() {
-        List<RobotClassLoader> idle = sharing == Sharing.WITH_OTHER_RUNS ? open.stream().filter(ProgramLoaders::isReusable).toList()
-                : List.of();
+        List<RobotClassLoader> idle = open.stream()
+                .filter(loader -> sharing == Sharing.WITH_OTHER_RUNS && isReusable(loader)).toList();
         close();
         idle.forEach(loader -> {
             loader.forget();

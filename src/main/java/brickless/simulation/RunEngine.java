@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.kernel.Ensemble;
+import brickless.kernel.Kernel;
 import brickless.kernel.ProgramEnd;
 import brickless.loading.RobotContext;
 import brickless.program.Program;
@@ -14,7 +15,8 @@ import java.util.stream.IntStream;
 /**
  * One run in virtual time: programs on kernels drive a {@link Stage}, held at a {@link Gate} by whoever drives the run.
  *
- * <p>After construction everything belongs to the run's own thread (and the program's threads it hands over to, one at a time); the driver
+ * <p>After construction everything belongs to the run's own thread (and the program's threads it hands over to, one at
+ * a time); the driver
  * touches it only while the {@link Gate} holds the run, or when it is over.
  */
 final class RunEngine {
@@ -125,7 +127,8 @@ final class RunEngine {
         Throwable problem = null;
         boolean orderly = false;
         try {
-            List<ProgramEnd> ends = new Ensemble(programs.stream().map(ProgramSession::kernel).toList(), this::step).run();
+            List<Kernel> kernels = programs.stream().map(ProgramSession::kernel).toList();
+            List<ProgramEnd> ends = new Ensemble(kernels, this::step).run();
             finish(ends);
             orderly = ends.stream().noneMatch(end -> end.kind() == ProgramEnd.Kind.RUNAWAY);
         } catch (RuntimeException | Error e) {

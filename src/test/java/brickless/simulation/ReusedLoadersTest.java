@@ -133,10 +133,11 @@ class ReusedLoadersTest {
     @MethodSource("backends")
     void classesAndNoObjectOfAProgramRemain(BackendChoice backend) throws Exception {
         IDLE.clear();
-        run(Program.onClassPath("programs.robots.Hoarder"), settings(backend));
+        RunReport report = run(Program.onClassPath("programs.robots.Hoarder"), settings(backend));
+        assertThat(report.outcome().kind()).as(report.outcome() + report.text()).isEqualTo("exited");
         assertThat(IDLE.size()).isEqualTo(1);
         List<WeakReference<Object>> left = Left.taken();
-        assertThat(left).hasSize(9);
+        assertThat(left).hasSize(10);
         System.gc();
         assertThat(left).allMatch(object -> object.get() == null);
     }
@@ -152,6 +153,16 @@ class ReusedLoadersTest {
         IDLE.clear();
         System.gc();
         assertThat(loaders.get(0).get()).isNull();
+    }
+
+    @Test
+    void theOptionForCompleteExceptionsIsFound() {
+        String granted = "-XX:-OmitStackTraceInFastThrow";
+        String omitted = "-XX:+OmitStackTraceInFastThrow";
+        assertThat(CompleteExceptions.areGrantedBy(List.of("-Xss1m", granted))).isTrue();
+        assertThat(CompleteExceptions.areGrantedBy(List.of("-Xss1m"))).isFalse();
+        assertThat(CompleteExceptions.areGrantedBy(List.of(granted, omitted))).isFalse();
+        assertThat(CompleteExceptions.areGrantedBy(List.of(omitted, granted))).isTrue();
     }
 
     @Test
@@ -175,6 +186,7 @@ class ReusedLoadersTest {
     }
 
     private static RunEngine engine(Program program, SimulationSettings settings) {
-        return new RunEngine(settings, program, Optional.empty(), TraceListener.NONE, new ProgramLoaders(Sharing.WITH_OTHER_RUNS));
+        return new RunEngine(settings, program, Optional.empty(), TraceListener.NONE,
+                new ProgramLoaders(Sharing.WITH_OTHER_RUNS));
     }
 }
