@@ -56,9 +56,9 @@ class ArchitectureTest {
                 "brickless.kernel", "brickless.world", "brickless.units"));
         TABLE.put("brickless.trace", List.of("brickless.world", "brickless.units", "com.fasterxml.jackson.."));
         TABLE.put("brickless.program", List.of("brickless.loading"));
-        TABLE.put("brickless.simulation", List.of("brickless.files", "brickless.hardware", "brickless.kernel", "brickless.kernel.hooks",
-                "brickless.loading..", "brickless.units", "brickless.world..", "brickless.physics",
-                "brickless.device..", "brickless.trace", "brickless.program"));
+        TABLE.put("brickless.simulation", List.of("brickless.files", "brickless.hardware", "brickless.kernel",
+                "brickless.kernel.hooks", "brickless.loading..", "brickless.units", "brickless.world..",
+                "brickless.physics", "brickless.device..", "brickless.trace", "brickless.program", "org.slf4j.."));
         TABLE.put("brickless.junit",
                 List.of("brickless.simulation", "brickless.program", "brickless.world", "brickless.world.svg",
                         "org.junit.jupiter.api..", "org.junit.platform.commons.support", "org.opentest4j"));

@@ -25,9 +25,6 @@ class SourceStyleTest {
     private static final Comparator<String> IMPORTS = Comparator
             .comparing((String line) -> !line.startsWith("import static "))
             .thenComparing(line -> line.replace(";", ""));
-    /** Files whose lines are not held to these rules yet. */
-    private static final Pattern NOT_YET = Pattern.compile(".*/brickless/(loading|kernel|physics|device)/.*|.*/main/.*"
-            + "/simulation/(Stage|RobotSession|RobotRealm|Panel|Recorder|Crew|RunEngine|ProgramSession).java");
 
     private static List<Source> sources;
 
@@ -45,9 +42,7 @@ class SourceStyleTest {
         sources = new ArrayList<>();
         try (Stream<Path> files = Files.walk(SOURCES)) {
             for (Path file : files.filter(each -> each.toString().endsWith(".java")).sorted().toList()) {
-                if (!NOT_YET.matcher(file.toString().replace('\\', '/')).matches()) {
-                    sources.add(new Source(file, Files.readAllLines(file)));
-                }
+                sources.add(new Source(file, Files.readAllLines(file)));
             }
         }
         assertThat(sources).hasSizeGreaterThan(1000);

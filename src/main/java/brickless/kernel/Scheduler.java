@@ -1,6 +1,5 @@
 package brickless.kernel;
 
-import brickless.kernel.hooks.Budget;
 import java.util.List;
 
 /**

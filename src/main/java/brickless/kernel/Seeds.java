@@ -1,6 +1,9 @@
 package brickless.kernel;
 
-/** Spreads seeds: generators of {@link java.util.Random} whose seeds are near each other begin with almost the same numbers. */
+/**
+ * Spreads seeds: generators of {@link java.util.Random} whose seeds are near each other begin with almost the same
+ * numbers.
+ */
 final class Seeds {
     private static final int SHIFT = 33;
     private static final long FIRST_FACTOR = 0xff51afd7ed558ccdL;
@@ -9,7 +12,10 @@ final class Seeds {
     private Seeds() {
     }
 
-    /** A seed that has nothing visible in common with those of the neighbours of {@code seed} (the 64-bit finalizer of MurmurHash3). */
+    /**
+     * A seed that has nothing visible in common with those of the neighbours of {@code seed} (the 64-bit finalizer of
+     * MurmurHash3).
+     */
     static long spread(long seed) {
         long mixed = seed + 1;
         mixed = (mixed ^ mixed >>> SHIFT) * FIRST_FACTOR;

@@ -3,6 +3,7 @@
  * of live mode.
  *
  * <p>{@link brickless.kernel.Kernel} runs one program, {@link brickless.kernel.Ensemble} several that share a world;
- * both are explained in {@code sim/docs/CONCURRENCY.md} and {@code KERNEL.md}. May use: {@code brickless.kernel.hooks}, the JDK.
+ * both are explained in {@code sim/docs/CONCURRENCY.md} and {@code KERNEL.md}. May use: {@code brickless.kernel.hooks},
+ * the JDK.
  */
 package brickless.kernel;

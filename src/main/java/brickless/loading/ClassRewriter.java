@@ -66,8 +66,8 @@ final class ClassRewriter {
             type.accept(writer);
             return writer.toByteArray();
         } catch (MethodTooLargeException | ClassTooLargeException tooLarge) {
-            throw new UnloadableClassError(type.name, file.origin(), "too large to be rewritten: " + tooLarge.getMessage(),
-                    tooLarge);
+            throw new UnloadableClassError(type.name, file.origin(),
+                    "too large to be rewritten: " + tooLarge.getMessage(), tooLarge);
         }
     }
 

@@ -50,7 +50,8 @@ final class InterfaceStatics {
         statics.nestHostClass = type.nestHostClass;
         for (FieldNode field : type.fields) {
             if (field.value == null) {
-                FieldNode moved = new FieldNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, field.name, field.desc, null, null);
+                FieldNode moved = new FieldNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, field.name,
+                        field.desc, null, null);
                 moved.visitAttribute(new OnceFinal());
                 statics.fields.add(moved);
             }

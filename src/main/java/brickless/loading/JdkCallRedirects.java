@@ -59,8 +59,9 @@ final class JdkCallRedirects implements MethodPass {
             case VIRTUAL:
                 return opcode == Opcodes.INVOKEVIRTUAL || opcode == Opcodes.INVOKEINTERFACE;
             case FINAL:
-            case ARGUMENT:
                 return opcode != Opcodes.INVOKESTATIC;
+            case ARGUMENT:
+                return true;
             default:
                 return false;
         }

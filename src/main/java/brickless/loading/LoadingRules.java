@@ -41,8 +41,8 @@ public final class LoadingRules {
 
     private static LoadingRules standardRules() {
         List<Rule> rules = new ArrayList<>();
-        for (String shared : new String[] {"VirtualMachine", "Budget", "StaticState", "ProgramKilled", "IdentityHashed", "NamedMonitor", "OwnedLock",
-                "InstructionCharges", "FloatingText",
+        for (String shared : new String[] {"VirtualMachine", "Budget", "StaticState", "ProgramKilled", "IdentityHashed",
+                "NamedMonitor", "OwnedLock", "InstructionCharges", "FloatingText",
             "ThrowableText", "JdkCall", "JdkCalls", "ProgramThreadGroup"}) {
             rules.add(new Rule(HOOKS + shared, false, Treatment.SHARED));
         }

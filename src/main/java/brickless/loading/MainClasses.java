@@ -42,13 +42,15 @@ public final class MainClasses {
 
     /** Binary name of the class in a class file, empty if it is none. */
     public static Optional<String> nameOf(byte[] classFile) {
-        return isClassFile(classFile) ? Optional.of(new ClassReader(classFile).getClassName().replace('/', '.')) : Optional.empty();
+        return isClassFile(classFile) ? Optional.of(new ClassReader(classFile).getClassName().replace('/', '.'))
+                : Optional.empty();
     }
 
     private static List<String> below(Path root) throws IOException {
         List<String> names = new ArrayList<>();
         try (Stream<Path> files = Files.walk(root)) {
-            for (Path file : files.filter(f -> f.toString().endsWith(".class") && !f.toString().contains("META-INF/versions")).toList()) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".class")
+                    && !f.toString().contains("META-INF/versions")).toList()) {
                 byte[] bytes = Files.readAllBytes(file);
                 if (isClassFile(bytes) && hasMain(bytes)) {
                     names.add(new ClassReader(bytes).getClassName().replace('/', '.'));
@@ -60,16 +62,20 @@ public final class MainClasses {
     }
 
     private static boolean isClassFile(byte[] bytes) {
-        return bytes.length > 10 && (bytes[0] & 0xff) == 0xca && (bytes[1] & 0xff) == 0xfe && (bytes[2] & 0xff) == 0xba && (bytes[3] & 0xff) == 0xbe;
+        return bytes.length > 10 && (bytes[0] & 0xff) == 0xca && (bytes[1] & 0xff) == 0xfe && (bytes[2] & 0xff) == 0xba
+                && (bytes[3] & 0xff) == 0xbe;
     }
 
     /** Whether a class file has a {@code public static void main(String[])}. */
     public static boolean hasMain(byte[] classFile) {
         boolean[] found = new boolean[1];
         new ClassReader(classFile).accept(new ClassVisitor(Opcodes.ASM9) {
-            @Override public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+            @Override
+            public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+                    String[] exceptions) {
                 int needed = Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC;
-                found[0] |= name.equals("main") && descriptor.equals("([Ljava/lang/String;)V") && (access & needed) == needed;
+                found[0] |= name.equals("main") && descriptor.equals("([Ljava/lang/String;)V")
+                        && (access & needed) == needed;
                 return null;
             }
         }, ClassReader.SKIP_CODE | ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);

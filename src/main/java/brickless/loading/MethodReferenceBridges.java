@@ -47,7 +47,8 @@ final class MethodReferenceBridges implements ClassPass {
                     boolean counts = isRedirected(target) || initialises(type, target)
                             && catalog.mayBlock(target.getOwner());
                     if (counts || initialises(type, target)) {
-                        MethodNode bridge = bridge(target, reference.desc, (counts ? NAME : UNCOUNTED) + bridges.size());
+                        MethodNode bridge = bridge(target, reference.desc,
+                                (counts ? NAME : UNCOUNTED) + bridges.size());
                         bridges.add(bridge);
                         boolean inInterface = (type.access & Opcodes.ACC_INTERFACE) != 0;
                         reference.bsmArgs[IMPLEMENTATION_ARGUMENT] =

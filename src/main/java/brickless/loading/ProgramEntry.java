@@ -23,7 +23,8 @@ final class ProgramEntry {
     }
 
     static MethodHandles.Lookup insideOf(Class<?> type) {
-        return (MethodHandles.Lookup) call(hook(type.getClassLoader(), "ReflectionHooks", "insideOf", Class.class), type);
+        return (MethodHandles.Lookup) call(
+                hook(type.getClassLoader(), "ReflectionHooks", "insideOf", Class.class), type);
     }
 
     static Thread newThread(ClassLoader robot, Runnable body, String name) {

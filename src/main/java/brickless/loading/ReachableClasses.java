@@ -11,8 +11,8 @@ import java.util.Set;
 import org.objectweb.asm.ClassReader;
 
 /**
- * Which classes of a folder of programs belong to one of them: those its main class can lead to, by reference or by a text that is a class
- * name, as reflection uses it.
+ * Which classes of a folder of programs belong to one of them: those its main class can lead to, by reference or by a
+ * text that is a class name, as reflection uses it.
  */
 public final class ReachableClasses {
     private static final int CLASS_CONSTANT = 7;
@@ -64,6 +64,7 @@ public final class ReachableClasses {
     }
 
     private static String elementOf(String name) {
-        return name.startsWith("[") && name.endsWith(";") ? name.substring(name.lastIndexOf('[') + 2, name.length() - 1) : name;
+        boolean array = name.startsWith("[") && name.endsWith(";");
+        return array ? name.substring(name.lastIndexOf('[') + 2, name.length() - 1) : name;
     }
 }

@@ -18,14 +18,12 @@ import java.util.Set;
 
 /**
  * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots'
- * own
- * hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
+ * own hooks anew, rewritten as {@link LoadingRules} say, and takes everything else from the application.
  *
  * <p>Create one per program and run, {@link #newRobot} for each robot, {@link RobotContext#bind} it to its kernel
- * before
- * any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards. Nothing
- * outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the other
- * calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
+ * before any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards.
+ * Nothing outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the
+ * other calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
  *
  * <p>Robots of a later run are several robots too: after {@link #forget}, and {@link #reopen} if the program is in
  * directories and jars, the loader can be used again.

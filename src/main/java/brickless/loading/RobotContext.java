@@ -9,8 +9,7 @@ import java.util.function.Supplier;
 
 /**
  * One of the robots that run the classes of a {@link RobotClassLoader}: what is static in them, for this robot. Only
- * the
- * robot that was {@linkplain #enter entered} last may run. Belongs to whoever runs the robots, one at a time.
+ * the robot that was {@linkplain #enter entered} last may run. Belongs to whoever runs the robots, one at a time.
  */
 public final class RobotContext {
     private final RobotClassLoader loader;

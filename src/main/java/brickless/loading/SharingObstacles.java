@@ -57,7 +57,8 @@ public final class SharingObstacles {
             ClassFile file = loader.programClass(name);
             if (file != null) {
                 ClassReader reader = ClassFiles.reader(file, name);
-                reader.accept(new ReferenceReader((reference, user, line) -> check(reference, user)), ClassReader.SKIP_FRAMES);
+                reader.accept(new ReferenceReader((reference, user, line) -> check(reference, user)),
+                        ClassReader.SKIP_FRAMES);
             }
         }
     }

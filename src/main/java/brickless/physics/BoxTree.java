@@ -11,10 +11,12 @@ import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 
 /**
- * A balanced tree of bounding boxes with the same numbers, boxes and order as JBox2D's {@code DynamicTree} (BoxTreeTest), kept in arrays: a
- * search reads one piece of memory for each node, where JBox2D follows four references.
+ * A balanced tree of bounding boxes with the same numbers, boxes and order as JBox2D's {@code DynamicTree}
+ * (BoxTreeTest), kept in arrays: a search reads one piece of memory for each node, where JBox2D follows four
+ * references.
  *
- * <p>A new leaf goes where the sum of all perimeters grows least; nodes on the way up are rotated if one side is higher by more than one.
+ * <p>A new leaf goes where the sum of all perimeters grows least; nodes on the way up are rotated if one side is higher
+ * by more than one.
  */
 final class BoxTree implements BroadPhaseStrategy {
     private static final int NONE = -1;
@@ -35,7 +37,8 @@ final class BoxTree implements BroadPhaseStrategy {
     private Object[] userData = new Object[FEW];
     private int[] stack = new int[FEW];
 
-    @Override public int createProxy(AABB box, Object data) {
+    @Override
+    public int createProxy(AABB box, Object data) {
         int leaf = allocate();
         userData[leaf] = data;
         fat[leaf] = new AABB();
@@ -44,14 +47,16 @@ final class BoxTree implements BroadPhaseStrategy {
         return leaf;
     }
 
-    @Override public void destroyProxy(int proxy) {
+    @Override
+    public void destroyProxy(int proxy) {
         remove(proxy);
         userData[proxy] = null;
         fat[proxy] = null;
         free[freed++] = proxy;
     }
 
-    @Override public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
+    @Override
+    public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
         remove(proxy);
         setBox(proxy, box, displacement.x * Settings.aabbMultiplier, displacement.y * Settings.aabbMultiplier);
         insert(proxy);
@@ -236,15 +241,18 @@ final class BoxTree implements BroadPhaseStrategy {
         return child;
     }
 
-    @Override public Object getUserData(int proxy) {
+    @Override
+    public Object getUserData(int proxy) {
         return userData[proxy];
     }
 
-    @Override public AABB getFatAABB(int proxy) {
+    @Override
+    public AABB getFatAABB(int proxy) {
         return fat[proxy];
     }
 
-    @Override public void query(TreeCallback callback, AABB box) {
+    @Override
+    public void query(TreeCallback callback, AABB box) {
         float left = box.lowerBound.x;
         float top = box.lowerBound.y;
         float right = box.upperBound.x;
@@ -268,7 +276,8 @@ final class BoxTree implements BroadPhaseStrategy {
         }
     }
 
-    @Override public void raycast(TreeRayCastCallback callback, RayCastInput ray) {
+    @Override
+    public void raycast(TreeRayCastCallback callback, RayCastInput ray) {
         AABB around = new AABB();
         Vec2.minToOut(ray.p1, ray.p2, around.lowerBound);
         Vec2.maxToOut(ray.p1, ray.p2, around.upperBound);
@@ -283,15 +292,18 @@ final class BoxTree implements BroadPhaseStrategy {
         }, around);
     }
 
-    @Override public int computeHeight() {
+    @Override
+    public int computeHeight() {
         return getHeight();
     }
 
-    @Override public int getHeight() {
+    @Override
+    public int getHeight() {
         return root == NONE ? 0 : height[root];
     }
 
-    @Override public int getMaxBalance() {
+    @Override
+    public int getMaxBalance() {
         return maxBalance(root);
     }
 
@@ -303,7 +315,8 @@ final class BoxTree implements BroadPhaseStrategy {
         return Math.max(tilt, Math.max(maxBalance(first[node]), maxBalance(second[node])));
     }
 
-    @Override public float getAreaRatio() {
+    @Override
+    public float getAreaRatio() {
         return root == NONE ? 0 : perimeters(root) / perimeter(root, root);
     }
 
@@ -311,11 +324,13 @@ final class BoxTree implements BroadPhaseStrategy {
         return perimeter(node, node) + (first[node] == NONE ? 0 : perimeters(first[node]) + perimeters(second[node]));
     }
 
-    @Override public int getInsertionCount() {
+    @Override
+    public int getInsertionCount() {
         return insertions;
     }
 
-    @Override public void drawTree(DebugDraw draw) {
+    @Override
+    public void drawTree(DebugDraw draw) {
         throw new UnsupportedOperationException("nobody looks at the boxes");
     }
 }

@@ -2,7 +2,10 @@ package brickless.physics;
 
 import org.jbox2d.common.Sweep;
 
-/** How far a robot can still move to each side, at least, before a shape of it leaves its box in the broad phase; decimetres. */
+/**
+ * How far a robot can still move to each side, at least, before a shape of it leaves its box in the broad phase;
+ * decimetres.
+ */
 final class Clearance {
     /** More than any rounding error of a corner's place. */
     private static final float SAFETY = 0.005f;

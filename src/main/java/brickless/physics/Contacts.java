@@ -44,7 +44,8 @@ final class Contacts implements ContactListener {
         now = nowNanos;
     }
 
-    @Override public void beginContact(Contact contact) {
+    @Override
+    public void beginContact(Contact contact) {
         if (isReach(contact)) {
             reach(contact, 1);
             return;
@@ -59,7 +60,8 @@ final class Contacts implements ContactListener {
         }
     }
 
-    @Override public void endContact(Contact contact) {
+    @Override
+    public void endContact(Contact contact) {
         if (isReach(contact)) {
             reach(contact, -1);
             return;
@@ -72,11 +74,13 @@ final class Contacts implements ContactListener {
         }
     }
 
-    @Override public void preSolve(Contact contact, Manifold oldManifold) {
+    @Override
+    public void preSolve(Contact contact, Manifold oldManifold) {
         // Contacts are solved as they are.
     }
 
-    @Override public void postSolve(Contact contact, ContactImpulse impulse) {
+    @Override
+    public void postSolve(Contact contact, ContactImpulse impulse) {
         double sum = 0;
         for (int i = 0; i < impulse.count; i++) {
             sum += Decimetres.impulse(impulse.normalImpulses[i]);

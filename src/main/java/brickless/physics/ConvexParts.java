@@ -75,8 +75,8 @@ final class ConvexParts {
     }
 
     /**
-     * A round outline is cut like a pie. Ears of it would be thin slivers: what gets a few millimetres into one would be
-     * pushed on towards the middle instead of out.
+     * A round outline is cut like a pie. Ears of it would be thin slivers: what gets a few millimetres into one would
+     * be pushed on towards the middle instead of out.
      */
     private static List<List<Point2>> slices(List<Point2> ring) {
         if (ring.size() <= MAX_CORNERS || !convex(ring)) {

@@ -1,13 +1,13 @@
 package brickless.physics;
 
 import java.util.Arrays;
+import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.SolverData;
 import org.jbox2d.dynamics.contacts.Velocity;
 import org.jbox2d.dynamics.joints.FrictionJointDef;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.joints.JointEdge;
-import org.jbox2d.common.Vec2;
 
 /**
  * Shafts, tyres, skids and turret gears of one robot as one constraint inside JBox2D's solver, so that traction, motors
@@ -56,7 +56,8 @@ final class Drivetrain extends Joint {
     }
 
     private boolean isCoupled(Shaft shaft) {
-        return Arrays.stream(tyres).anyMatch(tyre -> tyre.shaft == shaft) || Arrays.stream(gears).anyMatch(gear -> gear.shaft == shaft);
+        return Arrays.stream(tyres).anyMatch(tyre -> tyre.shaft == shaft)
+                || Arrays.stream(gears).anyMatch(gear -> gear.shaft == shaft);
     }
 
     private static FrictionJointDef definition(Body ground, Body robot) {
@@ -92,7 +93,8 @@ final class Drivetrain extends Joint {
         dt = stepSeconds;
     }
 
-    @Override public void initVelocityConstraints(SolverData data) {
+    @Override
+    public void initVelocityConstraints(SolverData data) {
         Velocity velocity = data.velocities[robot.m_islandIndex];
         motion.begin(robot, data.positions[robot.m_islandIndex]);
         motion.read(velocity);
@@ -119,7 +121,8 @@ final class Drivetrain extends Joint {
         }
     }
 
-    @Override public void solveVelocityConstraints(SolverData data) {
+    @Override
+    public void solveVelocityConstraints(SolverData data) {
         Velocity velocity = data.velocities[robot.m_islandIndex];
         motion.read(velocity);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
@@ -150,23 +153,28 @@ final class Drivetrain extends Joint {
         }
     }
 
-    @Override public boolean solvePositionConstraints(SolverData data) {
+    @Override
+    public boolean solvePositionConstraints(SolverData data) {
         return true;
     }
 
-    @Override public void getAnchorA(Vec2 out) {
+    @Override
+    public void getAnchorA(Vec2 out) {
         out.set(robot.getPosition());
     }
 
-    @Override public void getAnchorB(Vec2 out) {
+    @Override
+    public void getAnchorB(Vec2 out) {
         out.set(robot.getPosition());
     }
 
-    @Override public void getReactionForce(float inverseStep, Vec2 out) {
+    @Override
+    public void getReactionForce(float inverseStep, Vec2 out) {
         out.setZero();
     }
 
-    @Override public float getReactionTorque(float inverseStep) {
+    @Override
+    public float getReactionTorque(float inverseStep) {
         return 0;
     }
 }

@@ -11,10 +11,12 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.joints.JointEdge;
 
 /**
- * Keeps the boxes of the broad phase around the shapes of bodies that moved: those boxes that JBox2D would have, after each step.
+ * Keeps the boxes of the broad phase around the shapes of bodies that moved: those boxes that JBox2D would have, after
+ * each step.
  *
- * <p>The boxes have a margin. A robot that moved less than what was left of it when it was last looked at is certainly still inside, and
- * need not be looked at ({@link Clearance}). Where a body was before the step matters only for a new box: it was within the old one.
+ * <p>The boxes have a margin. A robot that moved less than what was left of it when it was last looked at is certainly
+ * still inside, and need not be looked at ({@link Clearance}). Where a body was before the step matters only for a new
+ * box: it was within the old one.
  */
 final class FatBoxes {
     private final LazyTree tree;
@@ -64,7 +66,8 @@ final class FatBoxes {
         for (Fixture fixture = body.m_fixtureList; fixture != null; fixture = fixture.m_next) {
             PolygonShape shape = (PolygonShape) fixture.m_shape;
             for (int i = 0; i < shape.m_count; i++) {
-                largest = Math.max(largest, MathUtils.distance(shape.m_vertices[i], body.m_sweep.localCenter) + shape.m_radius);
+                largest = Math.max(largest, MathUtils.distance(shape.m_vertices[i], body.m_sweep.localCenter)
+                        + shape.m_radius);
             }
         }
         return largest;
@@ -78,8 +81,8 @@ final class FatBoxes {
             move(body, fixture, proxy);
         }
         if (clearance != null) {
-            clearance.limit(later.lowerBound.x - fat.lowerBound.x, later.lowerBound.y - fat.lowerBound.y, fat.upperBound.x - later.upperBound.x,
-                    fat.upperBound.y - later.upperBound.y);
+            clearance.limit(later.lowerBound.x - fat.lowerBound.x, later.lowerBound.y - fat.lowerBound.y,
+                    fat.upperBound.x - later.upperBound.x, fat.upperBound.y - later.upperBound.y);
         }
     }
 

@@ -13,11 +13,11 @@ import org.jbox2d.dynamics.contacts.Position;
 import org.jbox2d.dynamics.contacts.Velocity;
 
 /**
- * A step of robots that touch nothing: its drivetrain alone decides how each moves. What JBox2D's {@code Island} would compute for islands of
- * one body each, in the same order and precision.
+ * A step of robots that touch nothing: its drivetrain alone decides how each moves. What JBox2D's {@code Island} would
+ * compute for islands of one body each, in the same order and precision.
  *
- * <p>Some robots take turns, round by round of the solver. Within a robot every number depends on the one before; a processor that looks
- * ahead works on the next robot while it waits.
+ * <p>Some robots take turns, round by round of the solver. Within a robot every number depends on the one before; a
+ * processor that looks ahead works on the next robot while it waits.
  */
 final class FreeMotion {
     /** Robots that take turns: more would not fit into what a processor has at hand. */

@@ -21,9 +21,10 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
 /**
  * JBox2D's world with a shorter way through a step. The results are the same, bit for bit (LeanWorldTest).
  *
- * <p>JBox2D reads the host's clock fourteen times in a step to keep a profile, which takes as long as solving one robot. And it treats every
- * body as part of an island of bodies that touch; most of the time a robot touches nothing and {@link FreeMotion} will do. There is no
- * gravity, nobody applies forces, and continuous collision detection is not used.
+ * <p>JBox2D reads the host's clock fourteen times in a step to keep a profile, which takes as long as solving one
+ * robot. And it treats every body as part of an island of bodies that touch; most of the time a robot touches nothing
+ * and {@link FreeMotion} will do. There is no gravity, nobody applies forces, and continuous collision detection is not
+ * used.
  */
 final class LeanWorld extends org.jbox2d.dynamics.World {
     private static final Vec2 NO_GRAVITY = new Vec2(0, 0);
@@ -56,7 +57,8 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
         setContinuousPhysics(false);
     }
 
-    @Override public void step(float seconds, int velocityIterations, int positionIterations) {
+    @Override
+    public void step(float seconds, int velocityIterations, int positionIterations) {
         if ((m_flags & NEW_FIXTURE) != 0) {
             m_contactManager.findNewContacts();
             m_flags &= ~NEW_FIXTURE;
@@ -174,10 +176,13 @@ final class LeanWorld extends org.jbox2d.dynamics.World {
     }
 
     private static boolean solid(Contact contact) {
-        return contact.isEnabled() && contact.isTouching() && !contact.m_fixtureA.m_isSensor && !contact.m_fixtureB.m_isSensor;
+        return contact.isEnabled() && contact.isTouching() && !contact.m_fixtureA.m_isSensor
+                && !contact.m_fixtureB.m_isSensor;
     }
 
-    /** Solves a body together with all that it touches or is joined to, directly or through others; found depth first. */
+    /**
+     * Solves a body together with all that it touches or is joined to, directly or through others; found depth first.
+     */
     private void solveIsland(Body seed) {
         if (!islands) {
             islands = true;

@@ -59,7 +59,8 @@ public final class ObstacleBody implements Solid {
         body.getWorld().createJoint(joint);
     }
 
-    @Override public String name() {
+    @Override
+    public String name() {
         return description.id();
     }
 

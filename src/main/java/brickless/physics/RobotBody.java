@@ -3,8 +3,8 @@ package brickless.physics;
 import brickless.world.Point2;
 import brickless.world.Pose2;
 import brickless.world.Region;
-import brickless.world.RobotModel.SensorMount;
 import brickless.world.RobotModel;
+import brickless.world.RobotModel.SensorMount;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -44,7 +44,8 @@ public final class RobotBody implements Solid {
         readPose();
     }
 
-    @Override public String name() {
+    @Override
+    public String name() {
         return name;
     }
 

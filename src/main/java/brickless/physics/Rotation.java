@@ -1,6 +1,9 @@
 package brickless.physics;
 
-/** Sine and cosine of a body's angle, computed once for every angle: a robot that drives turns, solves, and looks with the same ones. */
+/**
+ * Sine and cosine of a body's angle, computed once for every angle: a robot that drives turns, solves, and looks with
+ * the same ones.
+ */
 final class Rotation {
     private float angle = Float.NaN;
     private double cos;

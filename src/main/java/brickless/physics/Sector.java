@@ -9,8 +9,8 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Fixture;
 
 /**
- * What rays that spread from one place can meet: looked up once for all of them. Own shapes of the robot that casts them and low obstacles
- * are left out. Finds what casting every ray at the whole arena finds, bit for bit (SectorTest).
+ * What rays that spread from one place can meet: looked up once for all of them. Own shapes of the robot that casts
+ * them and low obstacles are left out. Finds what casting every ray at the whole arena finds, bit for bit (SectorTest).
  *
  * <p>There is one in an arena, used for one place after the other, so that it stays in the processor's cache.
  */
@@ -36,7 +36,10 @@ final class Sector {
 
     private int shapes;
     private Fixture[] fixtures = new Fixture[16];
-    /** Where the boxes of the shapes are from here, in the direction of the sector and to the right of it, and their radii; metres. */
+    /**
+     * Where the boxes of the shapes are from here, in the direction of the sector and to the right of it, and their
+     * radii; metres.
+     */
     private double[] ahead = new double[16];
     private double[] aside = new double[16];
     private double[] radius = new double[16];
@@ -60,7 +63,8 @@ final class Sector {
      * @param halfAngleCos cosine of the angle to either side, which is less than a right angle
      * @param halfAngleSin its sine
      * @param reachMetres length of the rays
-     * @param slenderMetres obstacles with a smaller radius are listed if their middle may be at most that much farther away than the rays reach
+     * @param slenderMetres obstacles with a smaller radius are listed if their middle may be at most that much farther
+     *         away than the rays reach
      */
     void face(Aim from, double halfAngleCos, double halfAngleSin, double reachMetres, double slenderMetres) {
         aim = from;
@@ -184,7 +188,8 @@ final class Sector {
         if (best == null) {
             out.clear();
         } else {
-            out.set(input.maxFraction * reach, -(rayCos * normal.x + raySin * normal.y), (Solid) best.m_body.m_userData);
+            out.set(input.maxFraction * reach, -(rayCos * normal.x + raySin * normal.y),
+                    (Solid) best.m_body.m_userData);
         }
     }
 

@@ -15,9 +15,11 @@ import javax.tools.JavaFileObject;
 final class CompileErrors {
     private static final int MESSAGES_SHOWN = 10;
     private static final Pattern NO_PACKAGE = Pattern.compile("package ([\\w.]+) does not exist");
-    private static final Pattern NO_LEJOS_CLASS = Pattern.compile("symbol:\\s+class (\\w+); location: package (lejos[\\w.]*)");
+    private static final Pattern NO_LEJOS_CLASS =
+            Pattern.compile("symbol:\\s+class (\\w+); location: package (lejos[\\w.]*)");
     /** Packages of leJOS for the NXT and the RCX that leJOS EV3 does not have. */
-    private static final Pattern OTHER_LEJOS = Pattern.compile("lejos\\.(nxt|util|pc|addon|rcx|charset|geom|subsumption|navigation)\\b.*|josx\\..*");
+    private static final Pattern OTHER_LEJOS = Pattern.compile(
+            "lejos\\.(nxt|util|pc|addon|rcx|charset|geom|subsumption|navigation)\\b.*|josx\\..*");
 
     private final List<Diagnostic<? extends JavaFileObject>> errors;
 
@@ -41,7 +43,8 @@ final class CompileErrors {
     }
 
     private static String line(Diagnostic<? extends JavaFileObject> error) {
-        String place = error.getSource() == null ? "" : shortest(Path.of(error.getSource().toUri())) + ":" + error.getLineNumber() + ": ";
+        String place = error.getSource() == null ? ""
+                : shortest(Path.of(error.getSource().toUri())) + ":" + error.getLineNumber() + ": ";
         return place + "error: " + message(error);
     }
 
@@ -64,7 +67,8 @@ final class CompileErrors {
             if (noClass.find()) {
                 absent.add(noClass.group(2) + "." + noClass.group(1));
             } else if (noPackage.find() && OTHER_LEJOS.matcher(noPackage.group(1)).matches()) {
-                advice.add("It is written for leJOS on the NXT or RCX; Brickless runs programs for leJOS EV3, whose packages have other names.");
+                advice.add("It is written for leJOS on the NXT or RCX; Brickless runs programs for leJOS EV3,"
+                        + " whose packages have other names.");
             } else if (noPackage.reset().find()) {
                 (noPackage.group(1).startsWith("lejos.") ? absent : libraries).add(noPackage.group(1));
             }
@@ -74,8 +78,8 @@ final class CompileErrors {
                     + ". sim/docs/COMPATIBILITY.md lists the classes of leJOS EV3 that are not here.");
         }
         if (!libraries.isEmpty()) {
-            advice.add("Not found: " + String.join(", ", libraries) + ". Give the folder with all source files of the program, put the jars of its"
-                    + " libraries into it, or name them with --classpath.");
+            advice.add("Not found: " + String.join(", ", libraries) + ". Give the folder with all source files of the"
+                    + " program, put the jars of its libraries into it, or name them with --classpath.");
         }
         return advice;
     }

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
  * @param temporary directory of classes compiled for this run, removed by {@link #close()}
  * @param remark what the user should know about how the program was found; empty: nothing
  */
-public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary, Optional<String> remark)
-        implements AutoCloseable {
+public record Program(String name, String mainClass, List<Path> classPath, Optional<Path> temporary,
+        Optional<String> remark) implements AutoCloseable {
     public Program {
         classPath = List.copyOf(classPath);
     }

@@ -133,9 +133,12 @@ public final class ProgramFinder {
         }
     }
 
-    /** A folder that does not compile as a whole may hold a program that does, beside broken files, tests, and programs for the PC. */
-    private Program fromOneSource(List<Path> sources, Set<Path> roots, List<Path> libraries, String name, CompileException whole)
-            throws ProgramException, IOException {
+    /**
+     * A folder that does not compile as a whole may hold a program that does, beside broken files, tests, and programs
+     * for the PC.
+     */
+    private Program fromOneSource(List<Path> sources, Set<Path> roots, List<Path> libraries, String name,
+            CompileException whole) throws ProgramException, IOException {
         Map<String, Path> mains = new TreeMap<>();
         for (Path source : sources) {
             if (SourceCompiler.mayHaveMain(source)) {
@@ -147,17 +150,21 @@ public final class ProgramFinder {
             throw whole;
         }
         if (mains.size() > 1) {
-            throw new ProgramException(whole.getMessage() + "\nThe rest may run: choose a main class with --main: " + String.join(", ", mains.keySet()));
+            throw new ProgramException(whole.getMessage() + "\nThe rest may run: choose a main class with --main: "
+                    + String.join(", ", mains.keySet()));
         }
         Map.Entry<String, Path> main = mains.entrySet().iterator().next();
         Set<Path> ownRootFirst = new LinkedHashSet<>(SourceCompiler.rootsOf(List.of(main.getValue())));
         ownRootFirst.addAll(roots);
-        return compiled(List.of(main.getValue()), ownRootFirst, libraries, target -> checked(main.getKey(), libraries, target, name))
-                .remarking("compiled without the rest of " + name + ", which has errors: " + whole.getMessage().lines().findFirst().orElse(""));
+        Program program = compiled(List.of(main.getValue()), ownRootFirst, libraries,
+                target -> checked(main.getKey(), libraries, target, name));
+        return program.remarking("compiled without the rest of " + name + ", which has errors: "
+                + whole.getMessage().lines().findFirst().orElse(""));
     }
 
     /** Compiles into a temporary directory, which goes with the program, or at once if no program comes of it. */
-    private Program compiled(List<Path> sources, Set<Path> roots, List<Path> libraries, MainChoice choice) throws ProgramException, IOException {
+    private Program compiled(List<Path> sources, Set<Path> roots, List<Path> libraries, MainChoice choice)
+            throws ProgramException, IOException {
         Path target = Files.createTempDirectory("brickless-classes");
         Program found = null;
         try {
@@ -180,8 +187,9 @@ public final class ProgramFinder {
 
     private Program fromSource(Path path, String name) throws ProgramException, IOException {
         String own = SourceCompiler.classOf(path);
-        return compiled(List.of(path), SourceCompiler.rootsOf(List.of(path)), List.of(), target -> wantedMain.isEmpty()
-                && MainClasses.of(target).contains(own) ? checked(own, List.of(target), name) : choose(target, List.of(), name));
+        return compiled(List.of(path), SourceCompiler.rootsOf(List.of(path)), List.of(),
+                target -> wantedMain.isEmpty() && MainClasses.of(target).contains(own)
+                        ? checked(own, List.of(target), name) : choose(target, List.of(), name));
     }
 
     private Program fromJar(Path path, String name) throws ProgramException, IOException {
@@ -227,7 +235,8 @@ public final class ProgramFinder {
         return checked(mains.get(0), libraries, classes, name);
     }
 
-    private Program checked(String main, List<Path> libraries, Path classes, String name) throws ProgramException, IOException {
+    private Program checked(String main, List<Path> libraries, Path classes, String name)
+            throws ProgramException, IOException {
         return checked(main, with(classes, libraries), name);
     }
 

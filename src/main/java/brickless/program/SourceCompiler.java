@@ -75,7 +75,8 @@ final class SourceCompiler {
                 return new CompileErrors(List.of());
             }
         }
-        return new CompileErrors(messages.getDiagnostics().stream().filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
+        return new CompileErrors(messages.getDiagnostics().stream()
+                .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).toList());
     }
 
     /** Our leJOS before one that the program brings along, as when it runs; then the program's libraries. */
@@ -127,7 +128,8 @@ final class SourceCompiler {
 
     /** Whether a source file looks as if it had a main method. */
     static boolean mayHaveMain(Path source) throws IOException {
-        return MAIN.matcher(COMMENT.matcher(LenientSourceFiles.decode(Files.readAllBytes(source))).replaceAll(" ")).find();
+        return MAIN.matcher(COMMENT.matcher(LenientSourceFiles.decode(Files.readAllBytes(source)))
+                .replaceAll(" ")).find();
     }
 
     /** The package a source file declares, empty for none. */

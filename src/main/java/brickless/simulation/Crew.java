@@ -92,7 +92,8 @@ final class Crew implements AutoCloseable {
         return named;
     }
 
-    @Override public void close() {
+    @Override
+    public void close() {
         found.forEach(Program::close);
         found.clear();
     }

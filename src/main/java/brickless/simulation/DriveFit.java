@@ -80,8 +80,8 @@ record DriveFit(Wheel left, Wheel right, double trackMillimetres) {
     }
 
     private static Wheel declared(HardwareHints hints, HardwareHints.Wheel wheel, double unit) {
-        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.plausible(wheel.diameter() * unit), TyreSize.gearRatio(wheel.gearRatio()),
-                hints.reversed().contains(wheel.port()));
+        return new Wheel(wheel.port(), motorAt(hints, wheel.port()), TyreSize.plausible(wheel.diameter() * unit),
+                TyreSize.gearRatio(wheel.gearRatio()), hints.reversed().contains(wheel.port()));
     }
 
     /** Left wheel first: by name if the names tell, else the one with the smaller offset, as most programs have it. */

@@ -30,7 +30,8 @@ final class Panel implements PanelListener {
     private long nextNanos;
     private byte[] shown = new byte[ScreenSocket.ROW_BYTES * ScreenSocket.HEIGHT];
 
-    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around, Runnable endProgram) {
+    Panel(String robot, Processor processor, Recorder recorder, boolean pressKeys, ButtonPolicy.Circumstances around,
+            Runnable endProgram) {
         this.robot = robot;
         this.recorder = recorder;
         keys = new KeyPad(processor, this);
@@ -63,7 +64,8 @@ final class Panel implements PanelListener {
     }
 
     private static String nameOf(int key) {
-        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow().getKey();
+        return StimuliReader.KEYS.entrySet().stream().filter(named -> named.getValue() == key).findFirst().orElseThrow()
+                .getKey();
     }
 
     /** To be called at every physics step; most of the time nothing is due. */
@@ -81,7 +83,8 @@ final class Panel implements PanelListener {
         nextNanos = Math.min(nextNanos, Math.min(chords.nextLookNanos(), screen.nextRefreshNanos()));
     }
 
-    @Override public void keysChanged(long nowNanos, int keyMask, boolean down, KeyOrigin origin) {
+    @Override
+    public void keysChanged(long nowNanos, int keyMask, boolean down, KeyOrigin origin) {
         String cause = switch (origin) {
             case HAND -> "stimulus";
             case POLICY -> "auto";
@@ -94,23 +97,29 @@ final class Panel implements PanelListener {
         }
     }
 
-    @Override public void ledChanged(long nowNanos, int pattern) {
+    @Override
+    public void ledChanged(long nowNanos, int pattern) {
         recorder.event(nowNanos, robot, new TraceEvent.LedEvent(pattern));
     }
 
-    @Override public void toneStarted(long nowNanos, int frequencyHertz, int durationMillis, int volumePercent) {
-        recorder.event(nowNanos, robot, new TraceEvent.SoundEvent("tone", frequencyHertz, durationMillis, volumePercent));
+    @Override
+    public void toneStarted(long nowNanos, int frequencyHertz, int durationMillis, int volumePercent) {
+        recorder.event(nowNanos, robot,
+                new TraceEvent.SoundEvent("tone", frequencyHertz, durationMillis, volumePercent));
     }
 
-    @Override public void sampleStarted(long nowNanos, String name, int durationMillis, int volumePercent) {
+    @Override
+    public void sampleStarted(long nowNanos, String name, int durationMillis, int volumePercent) {
         recorder.event(nowNanos, robot, new TraceEvent.SoundEvent(name, 0, durationMillis, volumePercent));
     }
 
-    @Override public void soundStopped(long nowNanos) {
+    @Override
+    public void soundStopped(long nowNanos) {
         recorder.event(nowNanos, robot, new TraceEvent.SoundEvent("silence", 0, 0, 0));
     }
 
-    @Override public void screenChanged(long nowNanos) {
+    @Override
+    public void screenChanged(long nowNanos) {
         byte[] now = screen.displayed();
         List<Integer> rows = new ArrayList<>();
         List<String> pixels = new ArrayList<>();

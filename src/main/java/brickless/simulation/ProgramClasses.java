@@ -33,7 +33,8 @@ public final class ProgramClasses {
     /** A library may bring leJOS along; ours is used instead. */
     private static boolean isOurs(byte[] classFile) {
         String name = MainClasses.nameOf(classFile).orElse("");
-        return name.startsWith("lejos.") && ProgramClasses.class.getResource("/" + name.replace('.', '/') + ".class") != null;
+        return name.startsWith("lejos.")
+                && ProgramClasses.class.getResource("/" + name.replace('.', '/') + ".class") != null;
     }
 
     /** Reads them all. */

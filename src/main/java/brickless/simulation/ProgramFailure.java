@@ -21,7 +21,8 @@ final class ProgramFailure {
                 + Decimals.seconds(timeNanos) + " simulated seconds: ");
         Set<Throwable> seen = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Throwable each = failure; each != null && seen.add(each); each = each.getCause()) {
-            text.append(each == failure ? "" : "\nCaused by: ").append(each).append(each instanceof HeadlessException ? NO_WINDOWS : "");
+            text.append(each == failure ? "" : "\nCaused by: ").append(each)
+                    .append(each instanceof HeadlessException ? NO_WINDOWS : "");
             for (StackTraceElement frame : ownFrames(each)) {
                 text.append("\n\tat ").append(frame.getClassName()).append('.').append(frame.getMethodName())
                         .append('(').append(frame.getFileName())

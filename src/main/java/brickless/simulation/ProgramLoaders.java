@@ -116,7 +116,8 @@ final class ProgramLoaders implements AutoCloseable {
     }
 
     /** Closes the programs' jars. */
-    @Override public void close() {
+    @Override
+    public void close() {
         for (RobotClassLoader loader : open) {
             try {
                 loader.close();

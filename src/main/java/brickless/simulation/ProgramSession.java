@@ -14,7 +14,8 @@ final class ProgramSession implements RobotSession.ProgramExit {
     private final RobotSession robot;
     private final RobotRealm realm;
 
-    ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, RobotContext context, Optional<ProgramBody> body) {
+    ProgramSession(SimulationSettings settings, Crew.Member member, Stage stage, RobotContext context,
+            Optional<ProgramBody> body) {
         kernel = new Kernel(kernelSettings(settings, member.name(), stage.stepNanos()));
         robot = stage.enter(member, kernel, member.fitted() || body.isPresent(), this);
         long epochMillis = kernel.settings().epochMillis();
@@ -41,15 +42,18 @@ final class ProgramSession implements RobotSession.ProgramExit {
         return robot;
     }
 
-    @Override public void exit(int status) {
+    @Override
+    public void exit(int status) {
         kernel.exit(status);
     }
 
-    @Override public void endByKeys() {
+    @Override
+    public void endByKeys() {
         realm.end(1);
     }
 
-    @Override public boolean over() {
+    @Override
+    public boolean over() {
         return kernel.end() != null;
     }
 

@@ -16,8 +16,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 
 /**
- * Writes down a run: trace with hash always, the other files if there is a folder for them. What comes after {@link #finish} is dropped: in
- * live mode threads of the program outlive the run. Used by one thread at a time.
+ * Writes down a run: trace with hash always, the other files if there is a folder for them. What comes after
+ * {@link #finish} is dropped: in live mode threads of the program outlive the run. Used by one thread at a time.
  */
 final class Recorder {
     private final Optional<RunFolder> folder;
@@ -32,8 +32,10 @@ final class Recorder {
     Recorder(Optional<RunFolder> folder, TraceHeader header, TraceListener listener) {
         this.folder = folder;
         this.listener = listener;
-        trace = new TraceWriter(folder.map(f -> f.open("trace.jsonl")).orElseGet(OutputStream::nullOutputStream), header);
-        signals = folder.map(f -> new SignalsWriter(new OutputStreamWriter(f.open("signals.csv"), StandardCharsets.UTF_8)));
+        trace = new TraceWriter(folder.map(f -> f.open("trace.jsonl"))
+                .orElseGet(OutputStream::nullOutputStream), header);
+        signals = folder.map(f ->
+                new SignalsWriter(new OutputStreamWriter(f.open("signals.csv"), StandardCharsets.UTF_8)));
         recording = folder.map(f -> new ReportRecording());
         recording.ifPresent(r -> r.header(header));
         console = folder.map(f -> f.open("console.txt")).orElseGet(OutputStream::nullOutputStream);

@@ -50,7 +50,8 @@ final class RobotRealm {
     private void attach(BrickHardware brick) {
         robot.during(() -> {
             try {
-                return loader.loadClass(BrickAccess.class.getName()).getMethod("attach", BrickHardware.class).invoke(null, brick);
+                return loader.loadClass(BrickAccess.class.getName()).getMethod("attach", BrickHardware.class)
+                        .invoke(null, brick);
             } catch (ReflectiveOperationException e) {
                 throw new IllegalStateException("the robot's own BrickAccess must be there", e);
             }

@@ -81,15 +81,18 @@ final class RobotSession {
 
     private ButtonPolicy.Circumstances around(Stimulator stimulator) {
         return new ButtonPolicy.Circumstances() {
-            @Override public boolean keyPressesToCome() {
+            @Override
+            public boolean keyPressesToCome() {
                 return stimulator.keyPressesToCome();
             }
 
-            @Override public boolean stimuliToCome() {
+            @Override
+            public boolean stimuliToCome() {
                 return stimulator.hasMoreToDo();
             }
 
-            @Override public boolean motorsRest() {
+            @Override
+            public boolean motorsRest() {
                 return devices.motorsRest();
             }
         };
@@ -214,7 +217,8 @@ final class RobotSession {
         notes.addAll(plugs.notes());
         List<String> pressed = panel.automaticPresses();
         if (!pressed.isEmpty()) {
-            notes.add("keys pressed for the program while it waited: " + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
+            notes.add("keys pressed for the program while it waited: "
+                    + String.join(", ", pressed.subList(0, Math.min(pressed.size(), KEYS_NAMED)))
                     + (pressed.size() > KEYS_NAMED ? " and " + (pressed.size() - KEYS_NAMED) + " more" : "")
                     + " (--stimuli to press others, --buttons none to leave it waiting)");
         }

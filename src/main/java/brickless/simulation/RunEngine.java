@@ -16,8 +16,7 @@ import java.util.stream.IntStream;
  * One run in virtual time: programs on kernels drive a {@link Stage}, held at a {@link Gate} by whoever drives the run.
  *
  * <p>After construction everything belongs to the run's own thread (and the program's threads it hands over to, one at
- * a time); the driver
- * touches it only while the {@link Gate} holds the run, or when it is over.
+ * a time); the driver touches it only while the {@link Gate} holds the run, or when it is over.
  */
 final class RunEngine {
     private final Crew crew;
@@ -33,7 +32,8 @@ final class RunEngine {
     }
 
     /** An engine that uses given loaders and closes them in the end, or gives them back. */
-    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener, ProgramLoaders loaders) {
+    RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener,
+            ProgramLoaders loaders) {
         this.loaders = loaders;
         crew = new Crew(settings, program);
         boolean ready = false;
@@ -108,7 +108,10 @@ final class RunEngine {
         }
     }
 
-    /** Throws a {@link CancellationException} if the calling thread is interrupted; the run is then ended and the interrupt flag kept. */
+    /**
+     * Throws a {@link CancellationException} if the calling thread is interrupted; the run is then ended and the
+     * interrupt flag kept.
+     */
     void advanceTo(long timeNanos) {
         if (!started) {
             started = true;
@@ -173,7 +176,8 @@ final class RunEngine {
 
     private void finish(List<ProgramEnd> ends) {
         long switches = programs.stream().mapToLong(program -> program.kernel().contextSwitches()).sum();
-        report = stage.finish(OutcomeOf.programs(stage.robots(), ends), switches, programs.get(0).kernel().backendName());
+        report = stage.finish(OutcomeOf.programs(stage.robots(), ends), switches, programs.get(0).kernel()
+                .backendName());
     }
 
     RunReport report() {

@@ -51,12 +51,14 @@ final class Stage {
     Stage(SimulationSettings settings, Program program, List<Crew.Member> crew, TraceListener listener) {
         this.settings = settings;
         this.program = program;
-        arena = new Arena(settings.world(), crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(),
+        arena = new Arena(settings.world(),
+                crew.stream().map(m -> new Entrant(m.name(), m.model(), m.start())).toList(),
                 ArenaSettings.of(settings.ideal()));
         new SetupCheck(settings).check(arena);
         folder = settings.out().map(RunFolder::new);
-        recorder = new Recorder(folder, new TraceHeader(program.mainClass(), settings.world().name(), crew.stream().map(m -> m.model().name()).toList(),
-                settings.seed(), settings.scheduleSeed().orElse(-1), settings.ideal(), arena.stepNanos(), SAMPLE_NANOS), listener);
+        recorder = new Recorder(folder, new TraceHeader(program.mainClass(), settings.world().name(),
+                crew.stream().map(m -> m.model().name()).toList(), settings.seed(), settings.scheduleSeed().orElse(-1),
+                settings.ideal(), arena.stepNanos(), SAMPLE_NANOS), listener);
         journey = new Journey(recorder, () -> now, settings.goal().flatMap(Goal::zone));
         arena.setListener(journey);
         surroundings = new Surroundings(arena, FloorColour.of(settings.world()), settings.seed(), settings.ideal());
@@ -65,7 +67,8 @@ final class Stage {
 
     /** Adds the robot of a member. */
     RobotSession enter(Crew.Member member, Processor processor, boolean open, RobotSession.ProgramExit exit) {
-        RobotSession robot = new RobotSession(settings, member, arena, surroundings, recorder, stimulator, processor, open, exit);
+        RobotSession robot = new RobotSession(settings, member, arena, surroundings, recorder, stimulator,
+                processor, open, exit);
         robots.add(robot);
         return robot;
     }
@@ -159,15 +162,16 @@ final class Stage {
         if (now % SAMPLE_NANOS != 0) {
             sample(Math.max(now, outcome.timeNanos()));
         }
-        recorder.event(outcome.timeNanos(), robots.get(0).name(), new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
+        recorder.event(outcome.timeNanos(), robots.get(0).name(),
+                new TraceEvent.EndEvent(outcome.kind(), outcome.exitStatus().orElse(-1)));
         String hash = recorder.finish();
         RobotSession first = robots.get(0);
         List<String> notes = robots.stream().flatMap(robot -> robot.notes().stream()).toList();
         RunReport report = new RunReport(program.name(), program.mainClass(), settings.world().name(),
                 first.fitted() ? "auto" : first.model().name(), settings.seed(), outcome,
                 settings.goal(), wallSeconds, first.body().distanceMetres(),
-                journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches, steps, processor,
-                Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));
+                journey.collisions(), List.copyOf(journey.zones()), first.body().pose(), hash, contextSwitches,
+                steps, processor, Runtime.version().toString(), notes, folder.map(RunFolder::toString).orElse(""));
         folder.ifPresent(f -> new RunFiles(f, settings, recorder, robots).write(report));
         return report;
     }

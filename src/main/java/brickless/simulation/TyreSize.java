@@ -33,9 +33,10 @@ final class TyreSize {
         return closest(diameter, MILLIMETRES_PER_UNIT);
     }
 
-    /** The same, of the units in which the distance between the wheels fits a robot, if there are any: 3.28 and 19 are not inches. */
+    /** The same, of the units in which the track fits a robot, if there are any: 3.28 and 19 are not inches. */
     static double millimetresPerUnit(double diameter, double track) {
-        double[] fitting = DoubleStream.of(MILLIMETRES_PER_UNIT).filter(unit -> DriveFit.isTrack(track * unit)).toArray();
+        double[] fitting = DoubleStream.of(MILLIMETRES_PER_UNIT).filter(unit -> DriveFit.isTrack(track * unit))
+                .toArray();
         return closest(diameter, fitting.length == 0 ? MILLIMETRES_PER_UNIT : fitting);
     }
 

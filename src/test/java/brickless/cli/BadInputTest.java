@@ -90,7 +90,8 @@ class BadInputTest {
                 + "main(String[] a) { } }\n");
         CommandLineRun run = CommandLineRun.of("run", broken, "--out", out);
         assertThat(run.status()).isEqualTo(2);
-        assertThat(run.err().lines()).hasSize(2).first().asString().contains("Broken.java:1: error: cannot find symbol").contains("class Teleporter");
+        assertThat(run.err().lines()).hasSize(2).first().asString().contains("Broken.java:1: error: cannot find symbol")
+                .contains("class Teleporter");
         assertThat(run.err()).contains("Not in Brickless' leJOS: lejos.hardware.Teleporter.");
     }
 

@@ -33,7 +33,8 @@ class FilesOptionTest {
     @TempDir Path folder;
     private Path program;
 
-    @BeforeEach void writeTheProgram() throws IOException {
+    @BeforeEach
+    void writeTheProgram() throws IOException {
         program = Files.writeString(Files.createDirectories(folder.resolve("program")).resolve("Learner.java"),
                 LEARNER);
     }
@@ -43,7 +44,8 @@ class FilesOptionTest {
                 Stream.of(more)).toArray());
     }
 
-    @Test void whatAProgramWritesIsToldAndKept() {
+    @Test
+    void whatAProgramWritesIsToldAndKept() {
         for (int i = 0; i < 2; i++) {
             CommandLineRun run = run();
             assertThat(run.status()).isZero();
@@ -53,7 +55,8 @@ class FilesOptionTest {
         }
     }
 
-    @Test void aFolderOfFilesIsPutOnTheBrick() throws IOException {
+    @Test
+    void aFolderOfFilesIsPutOnTheBrick() throws IOException {
         Path before = Files.createDirectories(folder.resolve("before"));
         Files.writeString(before.resolve("learned.txt"), "once\ntwice\n");
         assertThat(run("--files", before).out()).contains("learned 3");
@@ -61,13 +64,15 @@ class FilesOptionTest {
         assertThat(folder.resolve("out/files/learned.txt")).hasContent("once\ntwice\nagain");
     }
 
-    @Test void whatLiesBesideTheProgramIsOnTheBrick() throws IOException {
+    @Test
+    void whatLiesBesideTheProgramIsOnTheBrick() throws IOException {
         Path beside = Files.writeString(program.resolveSibling("learned.txt"), "once\n");
         assertThat(run().out()).contains("learned 2");
         assertThat(beside).hasContent("once");
     }
 
-    @Test void aMissingFolderIsOneLineAndStatusTwo() throws IOException {
+    @Test
+    void aMissingFolderIsOneLineAndStatusTwo() throws IOException {
         CommandLineRun run = run("--files", folder.resolve("absent"));
         assertThat(run.status()).isEqualTo(2);
         assertThat(run.err().lines()).containsExactly("brickless run: --files " + folder.resolve("absent")
@@ -78,14 +83,16 @@ class FilesOptionTest {
                 + ": is no folder");
     }
 
-    @Test void theFolderOfTheRunIsRefused() throws IOException {
+    @Test
+    void theFolderOfTheRunIsRefused() throws IOException {
         Path own = Files.createDirectories(folder.resolve("out/files"));
         CommandLineRun run = run("--files", own);
         assertThat(run.status()).isEqualTo(2);
         assertThat(run.err().lines()).hasSize(1).first().asString().contains("lies in the folder that this run writes");
     }
 
-    @Test void runsOfASweepDoNotSeeEachOther() throws IOException {
+    @Test
+    void runsOfASweepDoNotSeeEachOther() throws IOException {
         String[] lines = new String[3];
         for (int jobs = 1; jobs <= 2; jobs++) {
             CommandLineRun sweep = CommandLineRun.of("sweep", program, "--seeds", "1..6", "--ideal", "--jobs", jobs,
@@ -99,13 +106,15 @@ class FilesOptionTest {
         assertThat(folder.resolve("program")).isDirectoryNotContaining("glob:**.txt");
     }
 
-    @Test void explorationsDoNotSeeEachOther() {
+    @Test
+    void explorationsDoNotSeeEachOther() {
         CommandLineRun explored = CommandLineRun.of("explore", program, "--schedules", "5", "--for", "3s");
         assertThat(explored.status()).as(explored.toString()).isZero();
         assertThat(Path.of("learned.txt")).doesNotExist();
     }
 
-    @Test void theCommandThatRepeatsAFailureNamesTheFolder() throws IOException {
+    @Test
+    void theCommandThatRepeatsAFailureNamesTheFolder() throws IOException {
         Files.writeString(program, LEARNER.replace("System.out.println(", "throw new IOException("));
         Path before = Files.createDirectories(folder.resolve("before"));
         assertThat(run("--files", before).err()).contains("run it again: brickless run " + program + " --files "

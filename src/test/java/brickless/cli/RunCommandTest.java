@@ -187,37 +187,48 @@ class RunCommandTest {
         Path waits = source("Waits", "Button.waitForAnyPress();");
         CommandLineRun pressed = run(waits);
         assertThat(pressed.status()).isZero();
-        assertThat(pressed.out()).contains("keys pressed for the program while it waited: ENTER (--stimuli to press others, --buttons none").contains("exited");
+        assertThat(pressed.out()).contains("keys pressed for the program while it waited: ENTER "
+                + "(--stimuli to press others, --buttons none").contains("exited");
         CommandLineRun left = run(waits, "--buttons", "none", "--for", "3s", "--json");
         assertThat(left.lastLine()).contains("\"outcome\":\"time-limit\"");
     }
 
-    @Test void aKeyThatALoopAsksForIsPressed() throws IOException {
-        CommandLineRun run = run(source("Asks", "while (Button.ENTER.isUp()) { } while (Button.DOWN.isUp()) { Delay.msDelay(1000); }"));
-        assertThat(run.out()).contains("keys pressed for the program while it waited: ENTER, DOWN (").contains("exited with status 0");
+    @Test
+    void aKeyThatALoopAsksForIsPressed() throws IOException {
+        CommandLineRun run = run(source("Asks",
+                "while (Button.ENTER.isUp()) { } while (Button.DOWN.isUp()) { Delay.msDelay(1000); }"));
+        assertThat(run.out()).contains("keys pressed for the program while it waited: ENTER, DOWN (")
+                .contains("exited with status 0");
     }
 
-    @Test void ofTwoThreadsThatWaitForKeysEachGetsSome() throws IOException {
-        Path menu = source("Menu", "Thread escape = new Thread(() -> { while (Button.waitForAnyPress() != Button.ID_ESCAPE) { } });"
+    @Test
+    void ofTwoThreadsThatWaitForKeysEachGetsSome() throws IOException {
+        Path menu = source("Menu", "Thread escape = new Thread(() -> {"
+                + " while (Button.waitForAnyPress() != Button.ID_ESCAPE) { } });"
                 + " escape.setDaemon(true); escape.start(); while (Button.waitForAnyPress() != Button.ID_LEFT) { }");
         assertThat(run(menu, "--until", "exit").status()).isZero();
     }
 
-    @Test void aWindowIsRefusedWithAReason() throws IOException {
+    @Test
+    void aWindowIsRefusedWithAReason() throws IOException {
         for (String statement : List.of("java.awt.EventQueue.invokeLater(() -> { });", "new javax.swing.JFrame();")) {
             CommandLineRun run = run(source("Window", statement));
             assertThat(run.status()).isEqualTo(1);
-            assertThat(run.err()).contains("java.awt.HeadlessException: a brick has no windows, this part of the program is for a PC");
+            assertThat(run.err()).contains(
+                    "java.awt.HeadlessException: a brick has no windows, this part of the program is for a PC");
         }
     }
 
-    @Test void theCommandThatRepeatsAFailureQuotesBlanks() throws IOException {
+    @Test
+    void theCommandThatRepeatsAFailureQuotesBlanks() throws IOException {
         Path program = Files.createDirectories(folder.resolve("my robot")).resolve("Fails.java");
-        Files.writeString(program, "class Fails { public static void main(String[] a) { throw new IllegalStateException(); } }");
+        Files.writeString(program,
+                "class Fails { public static void main(String[] a) { throw new IllegalStateException(); } }");
         assertThat(run(program).err()).contains("run it again: brickless run '" + program + "'");
     }
 
-    @Test void theSummaryTellsTheFittedRobotAndTheFolder() throws IOException {
+    @Test
+    void theSummaryTellsTheFittedRobotAndTheFolder() {
         CommandLineRun run = run(CommandLineRun.program("wallstop/WallStop.java"));
         assertThat(run.out()).contains("robot fitted to the program: ", "left wheel on B (large motor, 56.0 mm)",
                 "ev3-ultrasonic on S4", "outcome    exited with status 0",

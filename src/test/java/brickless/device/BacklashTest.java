@@ -37,7 +37,8 @@ class BacklashTest {
         return bench.robot.xMetres() * 1000;
     }
 
-    @Test void reversedWheelsFirstCrossThePlay() {
+    @Test
+    void reversedWheelsFirstCrossThePlay() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), wheeled(TEN_DEGREES));
         bench.rotate(100, 100, SLOWLY);
         double turningBack = millimetres(bench);
@@ -48,7 +49,8 @@ class BacklashTest {
                 .isCloseTo(30 * MILLIMETRES_PER_DEGREE, offset(1.5));
     }
 
-    @Test void metreThereAndBackIsOffByNoMoreThanThePlay() {
+    @Test
+    void metreThereAndBackIsOffByNoMoreThanThePlay() {
         RobotBench tight = RobotBench.real(TestWorlds.with(), wheeled(0));
         RobotBench loose = RobotBench.real(TestWorlds.with(), wheeled(TEN_DEGREES));
         for (RobotBench bench : List.of(tight, loose)) {
@@ -58,7 +60,8 @@ class BacklashTest {
         assertThat(Math.abs(millimetres(loose) - millimetres(tight))).isBetween(0.5, 10 * MILLIMETRES_PER_DEGREE);
     }
 
-    @Test void openLoopDriveIsHardlySlower() {
+    @Test
+    void openLoopDriveIsHardlySlower() {
         RobotBench tight = RobotBench.real(TestWorlds.with(), wheeled(0));
         RobotBench loose = RobotBench.real(TestWorlds.with(), wheeled(TEN_DEGREES));
         for (RobotBench bench : List.of(tight, loose)) {
@@ -69,7 +72,8 @@ class BacklashTest {
         assertThat(loose.headingDegrees()).isCloseTo(tight.headingDegrees(), offset(2.0));
     }
 
-    @Test void idealGearsHaveNoPlay() {
+    @Test
+    void idealGearsHaveNoPlay() {
         RobotBench tight = RobotBench.ideal(TestWorlds.with(), wheeled(0));
         RobotBench loose = RobotBench.ideal(TestWorlds.with(), wheeled(TEN_DEGREES));
         for (RobotBench bench : List.of(tight, loose)) {
@@ -79,7 +83,8 @@ class BacklashTest {
         assertThat(loose.robot.pose()).isEqualTo(tight.robot.pose());
     }
 
-    @Test void parkedRobotComesToRestWithinThePlay() {
+    @Test
+    void parkedRobotComesToRestWithinThePlay() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), wheeled(TEN_DEGREES));
         bench.drive(60, 40);
         bench.runMillis(1000);
@@ -110,7 +115,8 @@ class BacklashTest {
         bench.runMillis(500);
     }
 
-    @Test void turretLagsHalfThePlayBehindItsMotorOnEitherSide() {
+    @Test
+    void turretLagsHalfThePlayBehindItsMotorOnEitherSide() {
         RobotBench bench = turret(6, false, false);
         turnTo(bench, 90);
         assertThat(turretDegrees(bench)).isCloseTo(-87, offset(1.0));

@@ -18,7 +18,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Without {@code --ideal} errors are there, as large as documented, growing as documented, and the seed repeats them. */
+/**
+ * Without {@code --ideal} errors are there, as large as documented, growing as documented, and the seed repeats them.
+ */
 class DefaultErrorsTest {
     private static final int METRE = 2046;
     private static final int QUARTER = 183;
@@ -42,25 +44,29 @@ class DefaultErrorsTest {
         return lost;
     }
 
-    @Test void fastTurnsSlipTheSameInEverySquare() {
+    @Test
+    void fastTurnsSlipTheSameInEverySquare() {
         double[] lost = lostPerSquare(360, false);
         assertThat(Arrays.stream(lost).sum()).as("eight squares").isBetween(8.0, 11.0);
         assertThat(Arrays.stream(lost).boxed()).allSatisfy(degrees -> assertThat(degrees).isBetween(0.8, 1.6));
     }
 
-    @Test void slowTurnsAndIdealTyresLoseNothing() {
+    @Test
+    void slowTurnsAndIdealTyresLoseNothing() {
         assertThat(Math.abs(Arrays.stream(lostPerSquare(180, false)).sum())).isLessThan(1);
         assertThat(Math.abs(Arrays.stream(lostPerSquare(360, true)).sum())).isLessThan(1);
     }
 
-    @Test void metreAtMediumSpeedIsRightWithinAMillimetre() {
+    @Test
+    void metreAtMediumSpeedIsRightWithinAMillimetre() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         bench.rotate(METRE, METRE, 360);
         assertThat(bench.robot.xMetres()).isCloseTo(1, offset(0.001));
     }
 
     private static SensorBench gyro(long seed) {
-        SensorBench sensor = new SensorBench(TestWorlds.with(), SensorBench.front(SensorType.EV3_GYRO, 0.05), false, seed);
+        SensorBench sensor = new SensorBench(TestWorlds.with(),
+                SensorBench.front(SensorType.EV3_GYRO, 0.05), false, seed);
         sensor.port.uart().initialise(0);
         return sensor;
     }
@@ -74,7 +80,8 @@ class DefaultErrorsTest {
         return sensor.shorts(1)[0] - sensor.bench.headingDegrees();
     }
 
-    @Test void gyroIsTwoOrThreeDegreesOffAfterAPairOfQuarterTurns() {
+    @Test
+    void gyroIsTwoOrThreeDegreesOffAfterAPairOfQuarterTurns() {
         double squares = 0;
         for (long seed = 0; seed < 60; seed++) {
             double error = gyroError(seed, 2);
@@ -92,7 +99,8 @@ class DefaultErrorsTest {
         assertThat(gyroError(seed, 8)).isCloseTo(2 * perTurn, offset(1.2));
     }
 
-    @Test void gyroDriftsAtRestByItsLeftoverRate() {
+    @Test
+    void gyroDriftsAtRestByItsLeftoverRate() {
         double most = 0;
         for (long seed = 0; seed < 15; seed++) {
             SensorBench sensor = gyro(seed);
@@ -103,7 +111,8 @@ class DefaultErrorsTest {
         assertThat(most).isEqualTo(2);
     }
 
-    @Test void echoesScatterByThreeMillimetres() {
+    @Test
+    void echoesScatterByThreeMillimetres() {
         SensorBench sensor = new SensorBench(TestWorlds.with(TestWorlds.wall("wall", 1.06, -2, 1.2, 2)),
                 SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false, 7);
         sensor.port.uart().initialise(0);
@@ -139,7 +148,8 @@ class DefaultErrorsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = SensorType.class, names = {"EV3_ULTRASONIC", "EV3_COLOR", "EV3_GYRO", "EV3_INFRARED", "NXT_LIGHT",
+    @EnumSource(value = SensorType.class,
+            names = {"EV3_ULTRASONIC", "EV3_COLOR", "EV3_GYRO", "EV3_INFRARED", "NXT_LIGHT",
         "NXT_SOUND", "NXT_ULTRASONIC"})
     void sameSeedRepeatsExactlyAnotherDoesNotAndIdealKnowsNone(SensorType type) {
         assertThat(life(type, 5, false)).isEqualTo(life(type, 5, false)).isNotEqualTo(life(type, 6, false));

@@ -7,8 +7,8 @@ import brickless.physics.ArenaSettings;
 import brickless.world.Obstacle;
 import brickless.world.Point2;
 import brickless.world.Pose2;
-import brickless.world.RobotModel.SensorMount;
 import brickless.world.RobotModel;
+import brickless.world.RobotModel.SensorMount;
 import brickless.world.SensorType;
 import brickless.world.World;
 import java.nio.ByteBuffer;
@@ -28,11 +28,13 @@ class DeterminismTest {
      */
     private static final String GOLDEN = "7577a0b49e61970c0332770954eaf0d4d1c4c4d392ef798c521030eb2de5b3df";
 
-    @Test void sixtySecondsAmongCratesHaveTheGoldenHash() throws NoSuchAlgorithmException {
+    @Test
+    void sixtySecondsAmongCratesHaveTheGoldenHash() throws NoSuchAlgorithmException {
         assertThat(hashOfRun(1)).isEqualTo(GOLDEN);
     }
 
-    @Test void anotherStartGivesAnotherHash() throws NoSuchAlgorithmException {
+    @Test
+    void anotherStartGivesAnotherHash() throws NoSuchAlgorithmException {
         assertThat(hashOfRun(2)).isNotEqualTo(GOLDEN);
     }
 

@@ -47,15 +47,18 @@ class DistanceSensorTest {
                 .isCloseTo((int) (metres * 1000), offset(10));
     }
 
-    @Test void nothingReads2550() {
+    @Test
+    void nothingReads2550() {
         assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC))).isEqualTo(NOTHING);
     }
 
-    @Test void tooNearReadsTheShortestDistance() {
+    @Test
+    void tooNearReadsTheShortestDistance() {
         assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, wallAt(0.005)))).isEqualTo(30);
     }
 
-    @Test void slantedWallIsHeardUpToTheLimitOfIncidenceOnly() {
+    @Test
+    void slantedWallIsHeardUpToTheLimitOfIncidenceOnly() {
         assertThat(facingWall(0.5)).isBetween(400, 600);
         assertThat(facingWall(1.2)).isEqualTo(NOTHING);
         assertThat(facingWall(-1.2)).isEqualTo(NOTHING);
@@ -67,14 +70,16 @@ class DistanceSensorTest {
         return millimetres(sensor);
     }
 
-    @Test void thingsBesideTheBeamAreNotHeard() {
+    @Test
+    void thingsBesideTheBeamAreNotHeard() {
         assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.1, 0.1, 1))))
                 .isLessThan(NOTHING);
         assertThat(millimetres(SensorBench.of(SensorType.EV3_ULTRASONIC, TestWorlds.crate("c", 0.56, 0.3, 0.1, 1))))
                 .isEqualTo(NOTHING);
     }
 
-    @Test void absorbingAndLowObstaclesAreNotHeard() {
+    @Test
+    void absorbingAndLowObstaclesAreNotHeard() {
         List<Point2> box = TestWorlds.box(0.3, -0.2, 0.4, 0.2);
         Rgb colour = new Rgb(0, 0, 0);
         Obstacle curtain = new Obstacle("curtain", List.of(box), false, 0, 0.1, 0.5, true, colour);
@@ -104,7 +109,8 @@ class DistanceSensorTest {
         return new Pose2(0.06 - 0.06 * Math.cos(heading), -0.06 * Math.sin(heading), heading);
     }
 
-    @Test void slenderPostShowsInInfraredProximityToo() {
+    @Test
+    void slenderPostShowsInInfraredProximityToo() {
         Obstacle post = TestWorlds.wall("post", 0.05 + 0.35, -0.01, 0.07 + 0.35, 0.01);
         SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED, post);
         sensor.port.uart().initialise(0);
@@ -115,14 +121,16 @@ class DistanceSensorTest {
         }
     }
 
-    @Test void inchesAreTenths() {
+    @Test
+    void inchesAreTenths() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_ULTRASONIC, wallAt(0.508));
         sensor.port.uart().initialise(1);
         sensor.bench.runMillis(60);
         assertThat(sensor.shorts(1)[0]).isCloseTo(200, offset(4));
     }
 
-    @Test void noisyDistanceStaysWithinACentimetreAndChangesOncePerPing() {
+    @Test
+    void noisyDistanceStaysWithinACentimetreAndChangesOncePerPing() {
         SensorBench sensor = new SensorBench(TestWorlds.with(wallAt(0.8)),
                 SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
         sensor.port.uart().initialise(0);
@@ -138,7 +146,8 @@ class DistanceSensorTest {
         assertThat(changes).isLessThanOrEqualTo(50);
     }
 
-    @Test void readingMoreOftenDoesNotChangeValues() {
+    @Test
+    void readingMoreOftenDoesNotChangeValues() {
         SensorBench often = new SensorBench(TestWorlds.with(wallAt(0.8)),
                 SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06), false);
         SensorBench seldom = new SensorBench(TestWorlds.with(wallAt(0.8)),
@@ -152,7 +161,8 @@ class DistanceSensorTest {
         assertThat(often.shorts(1)).isEqualTo(seldom.shorts(1));
     }
 
-    @Test void listeningSensorHearsAnotherRobot() {
+    @Test
+    void listeningSensorHearsAnotherRobot() {
         World world = TestWorlds.with();
         Arena arena = new Arena(world, List.of(
                 new Entrant("a", TestWorlds.educator(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06)),
@@ -172,7 +182,8 @@ class DistanceSensorTest {
         assertThat(heard[0]).isEqualTo((byte) 1);
     }
 
-    @Test void nxtUltrasonicTellsCentimetresInARegister() {
+    @Test
+    void nxtUltrasonicTellsCentimetresInARegister() {
         SensorBench sensor = SensorBench.of(SensorType.NXT_ULTRASONIC, wallAt(0.42));
         byte[] data = new byte[1];
         long before = sensor.bench.processor.nowNanos();
@@ -187,7 +198,8 @@ class DistanceSensorTest {
         assertThat(sensor.port.i2c().transaction(8, new byte[] {0x42}, 0, 1, data, 0, 1)).isEqualTo(Status.NO_ANSWER);
     }
 
-    @Test void infraredProximityIsPercentOf70Centimetres() {
+    @Test
+    void infraredProximityIsPercentOf70Centimetres() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED, wallAt(0.35));
         sensor.port.uart().initialise(0);
         sensor.bench.runMillis(100);
@@ -197,7 +209,8 @@ class DistanceSensorTest {
         assertThat((int) free.bytes(1)[0]).isEqualTo(100);
     }
 
-    @Test void infraredSeeksBeaconsToTheRightWithPositiveHeading() {
+    @Test
+    void infraredSeeksBeaconsToTheRightWithPositiveHeading() {
         World world = new World("beacons", -2, -2, 4, 4, List.of(), List.of(), List.of(),
                 List.of(new Beacon("right", 2, new Point2(0.56, 0.5))), List.of(), Optional.empty(), List.of(), "");
         SensorBench sensor = new SensorBench(world, SensorBench.front(SensorType.EV3_INFRARED, 0.06), true);
@@ -209,7 +222,8 @@ class DistanceSensorTest {
         assertThat((int) seek[3]).isCloseTo(35, offset(1));
     }
 
-    @Test void infraredReceivesTheRemote() {
+    @Test
+    void infraredReceivesTheRemote() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED);
         sensor.port.uart().initialise(2);
         assertThat(sensor.bytes(4)).containsExactly(0, 0, 0, 0);

@@ -9,8 +9,8 @@ import brickless.physics.ArenaSettings;
 import brickless.world.MotorType;
 import brickless.world.Point2;
 import brickless.world.Pose2;
-import brickless.world.RobotModel.Wheel;
 import brickless.world.RobotModel;
+import brickless.world.RobotModel.Wheel;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,8 @@ class DrivingTest {
         assertThat(bench.robot.distanceMetres()).isBetween(1.0, 1.02);
     }
 
-    @Test void idealSquareClosesWithinOnePercentAndOneDegree() {
+    @Test
+    void idealSquareClosesWithinOnePercentAndOneDegree() {
         RobotBench bench = RobotBench.ideal(TestWorlds.with(), TestWorlds.educator());
         square(bench);
         assertThat(bench.robot.xMetres()).isCloseTo(0, offset(0.01));
@@ -43,7 +44,8 @@ class DrivingTest {
         assertThat(bench.headingDegrees()).isCloseTo(4.0 * QUARTER_TURN * 0.056 / 0.114, offset(1.0));
     }
 
-    @Test void tyresLoseALittleOfEveryTurn() {
+    @Test
+    void tyresLoseALittleOfEveryTurn() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         square(bench);
         assertThat(bench.headingDegrees()).isBetween(355.0, 360.5);
@@ -56,7 +58,8 @@ class DrivingTest {
         }
     }
 
-    @Test void forwardOfTheLeftWheelTurnsRight() {
+    @Test
+    void forwardOfTheLeftWheelTurnsRight() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         bench.drive(50, 0);
         bench.runMillis(1000);
@@ -64,7 +67,8 @@ class DrivingTest {
         assertThat(bench.robot.yMetres()).isPositive();
     }
 
-    @Test void parkedRobotDoesNotMoveAtAll() {
+    @Test
+    void parkedRobotDoesNotMoveAtAll() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         bench.drive(60, 40);
         bench.runMillis(1000);
@@ -75,7 +79,8 @@ class DrivingTest {
         assertThat(bench.robot.pose()).isEqualTo(parked);
     }
 
-    @Test void coastingRobotRollsFurtherThanABrakingOne() {
+    @Test
+    void coastingRobotRollsFurtherThanABrakingOne() {
         RobotBench coasting = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         RobotBench braking = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         for (RobotBench bench : List.of(coasting, braking)) {
@@ -90,7 +95,8 @@ class DrivingTest {
         assertThat(coasting.robot.distanceMetres()).isGreaterThan(braking.robot.distanceMetres() + 0.02);
     }
 
-    @Test void reversingAtFullSpeedSlipsOnlyOnRealTyres() {
+    @Test
+    void reversingAtFullSpeedSlipsOnlyOnRealTyres() {
         assertThat(slipAfterReversing(true)).isCloseTo(0, offset(0.001));
         assertThat(slipAfterReversing(false)).isLessThan(-0.01);
     }
@@ -105,7 +111,8 @@ class DrivingTest {
         return bench.robot.shaft(RobotBench.LEFT).angleRadians() * 0.028 - bench.robot.xMetres();
     }
 
-    @Test void invertedGearedWheelsDriveByTheirRatio() {
+    @Test
+    void invertedGearedWheelsDriveByTheirRatio() {
         List<Wheel> wheels = List.of(
                 new Wheel("l", 1, MotorType.LARGE, 0.056, 2, true, new Point2(0, -0.057), 0, false),
                 new Wheel("r", 2, MotorType.LARGE, 0.056, 2, true, new Point2(0, 0.057), 0, false));
@@ -114,7 +121,8 @@ class DrivingTest {
         assertThat(bench.robot.xMetres()).isCloseTo(-CIRCUMFERENCE, withPercentage(1));
     }
 
-    @Test void threeOmniWheelsDriveSideways() {
+    @Test
+    void threeOmniWheelsDriveSideways() {
         RobotModel model = omniRobot();
         RobotBench bench = RobotBench.ideal(TestWorlds.with(), model);
         double[] sideways = {Math.sin(0), Math.sin(Math.toRadians(120)), Math.sin(Math.toRadians(240))};
@@ -138,7 +146,8 @@ class DrivingTest {
                 List.of(), List.of(), List.of(), "");
     }
 
-    @Test void halvingTheStepChangesTheEndByLessThanOnePercent() {
+    @Test
+    void halvingTheStepChangesTheEndByLessThanOnePercent() {
         Pose2 fine = curve(1_000_000);
         Pose2 usual = curve(ArenaSettings.DEFAULT_STEP_NANOS);
         double length = 1.0;
@@ -156,7 +165,8 @@ class DrivingTest {
         return bench.robot.pose();
     }
 
-    @Test void batterySagsUnderLoadAndRecovers() {
+    @Test
+    void batterySagsUnderLoadAndRecovers() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         float resting = bench.devices.battery().voltageVolts();
         bench.drive(100, 100);
@@ -169,7 +179,8 @@ class DrivingTest {
         assertThat(bench.devices.battery().voltageVolts()).isEqualTo(resting);
     }
 
-    @Test void batterySagsByATenthToAFifthOfAnOhm() {
+    @Test
+    void batterySagsByATenthToAFifthOfAnOhm() {
         RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         assertThat(bench.devices.battery().voltageVolts()).as("typical reading").isCloseTo(8.2f, withPercentage(1));
         float resting = bench.devices.battery().voltageVolts();
@@ -180,7 +191,8 @@ class DrivingTest {
         assertThat((resting - bench.devices.battery().voltageVolts()) / drawn).isBetween(0.1f, 0.2f);
     }
 
-    @Test void emptierBatteryDrivesSlower() {
+    @Test
+    void emptierBatteryDrivesSlower() {
         RobotBench full = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         RobotBench empty = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
         empty.devices.battery().setOpenVolts(6.9);

@@ -16,11 +16,13 @@ public final class FakeProcessor implements Processor {
         this.step = step;
     }
 
-    @Override public long nowNanos() {
+    @Override
+    public long nowNanos() {
         return now;
     }
 
-    @Override public void charge(long nanos) {
+    @Override
+    public void charge(long nanos) {
         now += nanos;
         while (stepped + stepNanos <= now) {
             step.accept(stepped);
@@ -33,18 +35,21 @@ public final class FakeProcessor implements Processor {
         charge(millis * 1_000_000);
     }
 
-    @Override public Signal newSignal() {
+    @Override
+    public Signal newSignal() {
         return new FakeSignal();
     }
 
     private final class FakeSignal implements Signal {
         private boolean raised;
 
-        @Override public void raise() {
+        @Override
+        public void raise() {
             raised = true;
         }
 
-        @Override public boolean await(long timeoutNanos) {
+        @Override
+        public boolean await(long timeoutNanos) {
             raised = false;
             long end = timeoutNanos == 0 ? Long.MAX_VALUE : now + timeoutNanos;
             while (!raised && now < end) {
@@ -53,7 +58,8 @@ public final class FakeProcessor implements Processor {
             return raised;
         }
 
-        @Override public boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException {
+        @Override
+        public boolean awaitInterruptibly(long timeoutNanos) throws InterruptedException {
             if (Thread.interrupted()) {
                 throw new InterruptedException();
             }

@@ -46,17 +46,20 @@ class FloorSensorTest {
         assertThat(colour(Integer.parseInt(rgb, 16), COLOUR).bytes(1)[0]).as(name).isEqualTo((byte) id);
     }
 
-    @Test void whitePaperReflectsMuchAndBlackTapeLittle() {
+    @Test
+    void whitePaperReflectsMuchAndBlackTapeLittle() {
         assertThat((int) colour(WHITE, REFLECT).bytes(1)[0]).isBetween(60, 90);
         assertThat((int) colour(BLACK, REFLECT).bytes(1)[0]).isBetween(3, 10);
     }
 
-    @Test void redLightIsReflectedByRedAndSwallowedByGreen() {
+    @Test
+    void redLightIsReflectedByRedAndSwallowedByGreen() {
         assertThat((int) colour(0xff0000, REFLECT).bytes(1)[0]).isGreaterThan(60);
         assertThat((int) colour(0x00a000, REFLECT).bytes(1)[0]).isLessThan(15);
     }
 
-    @Test void rawColoursOfPaperAndTapeAreAsUsersReport() {
+    @Test
+    void rawColoursOfPaperAndTapeAreAsUsersReport() {
         int[] white = colour(WHITE, RGB).shorts(3);
         assertThat(Arrays.stream(white).boxed())
                 .allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.2, 0.35));
@@ -66,15 +69,19 @@ class FloorSensorTest {
                 .allSatisfy(raw -> assertThat(raw / 1020.0).isBetween(0.015, 0.04));
     }
 
-    @Test void edgeOfALineReadsInBetween() {
+    @Test
+    void edgeOfALineReadsInBetween() {
         SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE),
                 SensorBench.paint(BLACK, -1, 0, 1, 1));
         sensor.port.uart().initialise(REFLECT);
         assertThat((int) sensor.bytes(1)[0]).isBetween(30, 52);
     }
 
-    /** The spot is 1 cm wide at a height of 8 mm: that far apart are pure white and pure black around an edge of tape. */
-    @Test void spotIsACentimetreWide() {
+    /**
+     * The spot is 1 cm wide at a height of 8 mm: that far apart are pure white and pure black around an edge of tape.
+     */
+    @Test
+    void spotIsACentimetreWide() {
         SensorBench sensor = SensorBench.onPaint(SensorType.EV3_COLOR, SensorBench.everywhere(WHITE),
                 SensorBench.paint(0, 0.06, -1, 1, 1));
         sensor.port.uart().initialise(REFLECT);
@@ -90,7 +97,8 @@ class FloorSensorTest {
         assertThat(between / 10.0).as("millimetres").isBetween(8.0, 10.5);
     }
 
-    @Test void rawColoursStayWithinTheirRange() {
+    @Test
+    void rawColoursStayWithinTheirRange() {
         assertThat(Arrays.stream(colour(0xffffff, RGB).shorts(3)).boxed())
                 .allSatisfy(raw -> assertThat(raw).isBetween(0, 1020));
         int[] reflected = colour(0xffffff, 3).shorts(2);
@@ -98,14 +106,16 @@ class FloorSensorTest {
         assertThat(reflected[1]).isEqualTo(1020);
     }
 
-    @Test void higherSensorSeesLess() {
+    @Test
+    void higherSensorSeesLess() {
         SensorBench high = new SensorBench(TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE))),
                 SensorBench.front(SensorType.EV3_COLOR, 0.03), true);
         high.port.uart().initialise(REFLECT);
         assertThat((int) high.bytes(1)[0]).isBetween(10, 40);
     }
 
-    @Test void overTheEdgeThereIsNoColour() {
+    @Test
+    void overTheEdgeThereIsNoColour() {
         World world = new World("table", -1, -1, 2, 2, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
                 List.of(), List.of(),
                 Optional.of(new Region.Filled(List.of(TestWorlds.box(-0.5, -0.5, 0.04, 0.5)), false)), List.of(), "");
@@ -116,7 +126,8 @@ class FloorSensorTest {
         assertThat((int) sensor.bytes(1)[0]).isLessThan(8);
     }
 
-    @Test void lampsRaiseTheAmbientLight() {
+    @Test
+    void lampsRaiseTheAmbientLight() {
         int dark = colour(WHITE, AMBIENT).bytes(1)[0];
         World lit = new World("lit", -2, -2, 4, 4, List.of(SensorBench.everywhere(WHITE)), List.of(), List.of(),
                 List.of(),
@@ -143,7 +154,8 @@ class FloorSensorTest {
         assertThat((int) sensor.bytes(1)[0]).isEqualTo(percent);
     }
 
-    @Test void nxtLightSensorWithoutItsLampSeesTheRoom() {
+    @Test
+    void nxtLightSensorWithoutItsLampSeesTheRoom() {
         assertThat(nxtLight(0)).isCloseTo(0.10, offset(0.003));
         assertThat(nxtLight(1000)).isCloseTo(0.55, offset(0.003));
     }
@@ -154,13 +166,15 @@ class FloorSensorTest {
         return 1 - sensor.port.analog().pin1Volts() / 5;
     }
 
-    @Test void halfTransparentPaintMixesWithWhatLiesBelow() {
+    @Test
+    void halfTransparentPaintMixesWithWhatLiesBelow() {
         Paint veil = new Paint("veil", SensorBench.everywhere(0).region(), new Rgb(0, 0, 0), 0.5);
         World world = TestWorlds.world(List.of(), List.of(SensorBench.everywhere(WHITE), veil));
         assertThat(FloorColour.of(world).at(0.1, 0.1)).isEqualTo(0x808080);
     }
 
-    @Test void imageOnTheFloorIsReadPixelByPixel() {
+    @Test
+    void imageOnTheFloorIsReadPixelByPixel() {
         Texture pixels = new Texture(2, 1, new int[] {0xffff0000, 0x000000ff}, 10, 0, 0, 10, 0, 0);
         Region region = new Region.Filled(List.of(TestWorlds.box(0, 0, 0.2, 0.1)), false);
         Paint image = new Paint("image", region, new Rgb(0, 0, 0), 1, Optional.of(pixels));
@@ -170,7 +184,8 @@ class FloorSensorTest {
         assertThat(floor.at(-5, -5)).as("beyond the drawing").isEqualTo(WHITE);
     }
 
-    @Test void noiseIsSmallAndRepeatable() {
+    @Test
+    void noiseIsSmallAndRepeatable() {
         int[] first = noisyReflections();
         assertThat(first).isEqualTo(noisyReflections());
         assertThat(Arrays.stream(first).boxed()).allSatisfy(value -> assertThat(value).isBetween(74, 82));
@@ -189,7 +204,8 @@ class FloorSensorTest {
         return values;
     }
 
-    @Test void nxtLightSensorFollowsItsLamp() {
+    @Test
+    void nxtLightSensorFollowsItsLamp() {
         SensorBench sensor = SensorBench.onPaint(SensorType.NXT_LIGHT, SensorBench.everywhere(WHITE));
         sensor.port.analog().setType(5);
         double lit = 1 - sensor.port.analog().pin1Volts() / 5;
@@ -199,7 +215,8 @@ class FloorSensorTest {
         assertThat(dark).isLessThan(0.3);
     }
 
-    @Test void nxtColourSensorTellsVoltagesAndAColour() {
+    @Test
+    void nxtColourSensorTellsVoltagesAndAColour() {
         SensorBench sensor = SensorBench.onPaint(SensorType.NXT_COLOR, SensorBench.everywhere(0xff0000));
         assertThat(sensor.port.analog().setType(13)).isTrue();
         float[] volts = sensor.port.analog().colourVolts();
@@ -208,7 +225,8 @@ class FloorSensorTest {
         assertThat(volts[4]).isEqualTo(5);
     }
 
-    @Test void nxtSoundSensorHearsAClap() {
+    @Test
+    void nxtSoundSensorHearsAClap() {
         SensorBench sensor = SensorBench.of(SensorType.NXT_SOUND);
         double quiet = sensor.port.analog().pin1Volts();
         sensor.bench.devices.soundLevel(85);

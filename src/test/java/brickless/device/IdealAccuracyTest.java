@@ -48,7 +48,8 @@ class IdealAccuracyTest {
         }
     }
 
-    @Test void metreEndsWithinOnePercentAndOneDegree() {
+    @Test
+    void metreEndsWithinOnePercentAndOneDegree() {
         for (int index = 0; index < CASES; index++) {
             Case one = Case.of(index);
             double heading = 0.07 * index;
@@ -63,7 +64,8 @@ class IdealAccuracyTest {
         }
     }
 
-    @Test void fullTurnEndsWithinOneDegree() {
+    @Test
+    void fullTurnEndsWithinOneDegree() {
         for (int index = 0; index < CASES; index++) {
             Case one = Case.of(index);
             RobotBench bench = one.bench(0);
@@ -99,7 +101,8 @@ class IdealAccuracyTest {
         return nearest;
     }
 
-    @Test void echoesAreWithinACentimetreOfGeometry() {
+    @Test
+    void echoesAreWithinACentimetreOfGeometry() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_ULTRASONIC, room());
         sensor.port.uart().initialise(0);
         for (int index = 0; index < 7 * 5 * 180; index++) {
@@ -115,7 +118,8 @@ class IdealAccuracyTest {
         }
     }
 
-    @Test void seedsChangeNothing() {
+    @Test
+    void seedsChangeNothing() {
         assertThat(readings(1)).isEqualTo(readings(2));
     }
 

@@ -53,7 +53,8 @@ class InterferenceTest {
         return values;
     }
 
-    @Test void pingsOfAnotherRobotChangeNoEcho() {
+    @Test
+    void pingsOfAnotherRobotChangeNoEcho() {
         assertThat(echoes(true)).isEqualTo(echoes(false)).allSatisfy(mm -> assertThat(mm).isBetween(820, 860));
     }
 
@@ -74,14 +75,16 @@ class InterferenceTest {
         assertThat(seen).containsExactly(0, NO_BEACON, 0, NO_BEACON, heading, distance, 0, NO_BEACON);
     }
 
-    @Test void beaconBehindAWallOrTheRobotOrTooFarAwayIsNotSeen() {
+    @Test
+    void beaconBehindAWallOrTheRobotOrTooFarAwayIsNotSeen() {
         assertThat(seek(1, 0, TestWorlds.wall("wall", 0.4, -0.2, 0.5, 0.2))[5]).isEqualTo(NO_BEACON);
         assertThat(seek(-1, 0)[5]).isEqualTo(NO_BEACON);
         assertThat(seek(2.1, 0)[5]).isEqualTo(NO_BEACON);
         assertThat(seek(1, 0, TestWorlds.wall("beside", 0.4, 0.1, 0.5, 0.2))[5]).isEqualTo((byte) 50);
     }
 
-    @Test void remoteTellsAllCodesOnAllChannels() {
+    @Test
+    void remoteTellsAllCodesOnAllChannels() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_INFRARED);
         sensor.port.uart().initialise(2);
         for (int channel = 1; channel <= 4; channel++) {

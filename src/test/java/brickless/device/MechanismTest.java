@@ -12,10 +12,10 @@ import brickless.world.MotorType;
 import brickless.world.Obstacle;
 import brickless.world.Point2;
 import brickless.world.Pose2;
+import brickless.world.RobotModel;
 import brickless.world.RobotModel.Claw;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.RobotModel.Turret;
-import brickless.world.RobotModel;
 import brickless.world.SensorType;
 import java.util.List;
 import java.util.Optional;
@@ -62,13 +62,15 @@ class MechanismTest {
         assertThat(Math.toDegrees(bench.robot.turretAngleRadians(0))).isCloseTo(-90, offset(3.0));
     }
 
-    @Test void gearedTurretTurnsLess() {
+    @Test
+    void gearedTurretTurnsLess() {
         RobotBench bench = bench(withTurret(3, true));
         rotateTo(bench, 270);
         assertThat(Math.toDegrees(bench.robot.turretAngleRadians(0))).isCloseTo(-90, offset(2.0));
     }
 
-    @Test void turretStaysPutOnADrivingRobot() {
+    @Test
+    void turretStaysPutOnADrivingRobot() {
         RobotBench bench = bench(withTurret(1, true));
         rotateTo(bench, 45);
         bench.rotate(400, 100, 300);
@@ -76,7 +78,8 @@ class MechanismTest {
         assertThat(Math.toDegrees(bench.robot.shaft(PORT_A).angleRadians())).isCloseTo(45, offset(3.0));
     }
 
-    @Test void turningTheTurretScansWalls() {
+    @Test
+    void turningTheTurretScansWalls() {
         RobotBench bench = bench(withTurret(1, true), TestWorlds.wall("left", -1, -0.6, 1, -0.55));
         bench.devices.sensor(0).uart().initialise(0);
         assertThat(distance(bench)).isEqualTo(2550);
@@ -90,7 +93,8 @@ class MechanismTest {
         return bytes[0] & 0xff | bytes[1] << 8;
     }
 
-    @Test void blockedTurretBlocksItsMotor() {
+    @Test
+    void blockedTurretBlocksItsMotor() {
         RobotBench bench = bench(withTurret(1, true), TestWorlds.wall("post", 0.056, -0.12, 0.09, -0.035));
         bench.devices.motor(PORT_A).move(new MoveRequest(200, 1000, 180, true));
         bench.devices.motor(PORT_A).awaitStandstill();
@@ -106,7 +110,8 @@ class MechanismTest {
                 List.of(), List.of(), List.of(claw), "");
     }
 
-    @Test void closedClawCarriesACrateAndLetsGoWhenOpened() {
+    @Test
+    void closedClawCarriesACrateAndLetsGoWhenOpened() {
         RobotBench bench = bench(withClaw(), TestWorlds.crate("can", 0.085, 0, 0.04, 0.05));
         rotateTo(bench, 80);
         assertThat(bench.robot.held(0)).isPresent();
@@ -119,7 +124,8 @@ class MechanismTest {
         assertThat(bench.arena.obstacles().get(0).displacement().x()).isCloseTo(carried, offset(0.005));
     }
 
-    @Test void openClawHoldsNothing() {
+    @Test
+    void openClawHoldsNothing() {
         RobotBench bench = bench(withClaw(), TestWorlds.crate("can", 0.085, 0, 0.04, 0.05));
         rotateTo(bench, 30);
         bench.rotate(-300, -300, 300);
@@ -127,7 +133,8 @@ class MechanismTest {
         assertThat(bench.arena.obstacles().get(0).displacement().x()).isCloseTo(0, offset(0.002));
     }
 
-    @Test void clawStopsAtItsLimits() {
+    @Test
+    void clawStopsAtItsLimits() {
         RobotBench bench = bench(withClaw());
         bench.devices.motor(PORT_A).drive(60);
         bench.runMillis(1500);
@@ -137,7 +144,8 @@ class MechanismTest {
         assertThat(bench.devices.motor(PORT_A).encoder()).isZero();
     }
 
-    @Test void removedObstacleIsNoLongerHeld() {
+    @Test
+    void removedObstacleIsNoLongerHeld() {
         RobotBench bench = bench(withClaw(), TestWorlds.crate("can", 0.085, 0, 0.04, 0.05));
         rotateTo(bench, 80);
         bench.arena.remove(bench.arena.obstacle("can").orElseThrow());

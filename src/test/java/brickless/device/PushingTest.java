@@ -36,7 +36,8 @@ class PushingTest {
         return bench;
     }
 
-    @Test void wallStopsTheRobotAndTheWheelsSpinOn() {
+    @Test
+    void wallStopsTheRobotAndTheWheelsSpinOn() {
         RobotBench bench = pushing(WALL, 60, 2000);
         assertThat(bench.robot.xMetres()).isCloseTo(0.25, offset(0.004));
         int tacho = bench.devices.motor(RobotBench.LEFT).encoder();
@@ -45,7 +46,8 @@ class PushingTest {
         assertThat(bench.robot.xMetres()).isCloseTo(0.25, offset(0.004));
     }
 
-    @Test void weakMotorsStandStillAgainstTheWallWithoutCreeping() {
+    @Test
+    void weakMotorsStandStillAgainstTheWallWithoutCreeping() {
         RobotBench bench = RobotBench.real(TestWorlds.with(WALL), TestWorlds.educator());
         bench.arena.move(bench.robot, new Pose2(0.2, 0, 0));
         bench.drive(12, 12);
@@ -57,12 +59,14 @@ class PushingTest {
         assertThat(bench.devices.motor(RobotBench.LEFT).encoder()).isEqualTo(tacho);
     }
 
-    @Test void heavyCrateDoesNotCreep() {
+    @Test
+    void heavyCrateDoesNotCreep() {
         RobotBench bench = pushing(TestWorlds.crate("crate", 0.3, 0, 0.2, 20), 60, 5000);
         assertThat(bench.arena.obstacles().get(0).displacement().x()).isCloseTo(0, offset(5e-4));
     }
 
-    @Test void lighterCratesAreSlowedLess() {
+    @Test
+    void lighterCratesAreSlowedLess() {
         double none = pushing(TestWorlds.crate("crate", 0.3, 1, 0.2, 0.1), 60, 1500).robot.xMetres();
         double light = pushing(TestWorlds.crate("crate", 0.3, 0, 0.2, 0.1), 60, 1500).robot.xMetres();
         double heavy = pushing(TestWorlds.crate("crate", 0.3, 0, 0.2, 0.6), 60, 1500).robot.xMetres();
@@ -71,7 +75,8 @@ class PushingTest {
         assertThat(heavy).isGreaterThan(0.3);
     }
 
-    @Test void crateStopsWhenItIsNoLongerPushed() {
+    @Test
+    void crateStopsWhenItIsNoLongerPushed() {
         RobotBench bench = pushing(TestWorlds.crate("crate", 0.3, 0, 0.2, 0.2), 60, 1500);
         bench.drive(-60, -60);
         bench.runMillis(1000);
@@ -82,7 +87,8 @@ class PushingTest {
     }
 
     /** A coasting robot (no energy comes in) runs into crates and walls at many angles: kinetic energy never grows. */
-    @Test void collisionsNeverAddEnergy() {
+    @Test
+    void collisionsNeverAddEnergy() {
         for (int index = 0; index < 24; index++) {
             Obstacle obstacle = index % 2 == 0 ? WALL
                     : TestWorlds.crate("crate", 0.3, 0.02 * (index / 2 - 6), 0.15, 0.3);
@@ -134,11 +140,13 @@ class PushingTest {
         return most;
     }
 
-    @Test void collisionIsToldOnceWithTheHitterFirst() {
+    @Test
+    void collisionIsToldOnceWithTheHitterFirst() {
         List<String> told = new ArrayList<>();
         RobotBench bench = RobotBench.real(TestWorlds.with(WALL), TestWorlds.educator());
         bench.arena.setListener(new ArenaListener() {
-            @Override public void collision(Solid hitter, Solid hit, double speed) {
+            @Override
+            public void collision(Solid hitter, Solid hit, double speed) {
                 told.add(hitter.name() + ">" + hit.name());
                 assertThat(speed).isBetween(0.1, 0.5);
             }
@@ -148,7 +156,8 @@ class PushingTest {
         assertThat(told).containsExactly("robot>wall");
     }
 
-    @Test void zonesAndFallsAreTold() {
+    @Test
+    void zonesAndFallsAreTold() {
         List<String> told = new ArrayList<>();
         Region goal = new Region.Filled(List.of(TestWorlds.box(0.1, -0.2, 0.2, 0.2)), false);
         Region table = new Region.Filled(List.of(TestWorlds.box(-0.5, -0.5, 0.5, 0.5)), false);
@@ -157,15 +166,18 @@ class PushingTest {
                 Optional.of(table), List.of(), "");
         RobotBench bench = RobotBench.real(world, TestWorlds.educator());
         bench.arena.setListener(new ArenaListener() {
-            @Override public void zoneEntered(RobotBody robot, String zone) {
+            @Override
+            public void zoneEntered(RobotBody robot, String zone) {
                 told.add("in " + zone);
             }
 
-            @Override public void zoneLeft(RobotBody robot, String zone) {
+            @Override
+            public void zoneLeft(RobotBody robot, String zone) {
                 told.add("out " + zone);
             }
 
-            @Override public void fell(RobotBody robot) {
+            @Override
+            public void fell(RobotBody robot) {
                 told.add("fell at " + Math.round(robot.xMetres() * 100));
             }
         });
@@ -175,7 +187,8 @@ class PushingTest {
         assertThat(bench.robot.fallen()).isTrue();
     }
 
-    @Test void removedObstaclesAreGoneAndMovedRobotsStandStill() {
+    @Test
+    void removedObstaclesAreGoneAndMovedRobotsStandStill() {
         RobotBench bench = pushing(WALL, 60, 2000);
         bench.arena.remove(bench.arena.obstacle("wall").orElseThrow());
         assertThat(bench.arena.obstacle("wall")).isEmpty();
@@ -189,7 +202,8 @@ class PushingTest {
         assertThat(bench.headingDegrees()).isCloseTo(90, offset(0.1));
     }
 
-    @Test void twoRobotsPushEachOther() {
+    @Test
+    void twoRobotsPushEachOther() {
         Arena arena = new Arena(TestWorlds.with(), List.of(
                 new Entrant("a", TestWorlds.educator(), new Pose2(0, 0, 0)),
                 new Entrant("b", TestWorlds.educator(), new Pose2(0.4, 0, Math.PI))),

@@ -8,7 +8,6 @@ import brickless.hardware.SensorSocket.Wiring;
 import brickless.world.Point2;
 import brickless.world.RobotModel.SensorMount;
 import brickless.world.SensorType;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,7 +24,8 @@ class SensorPortTest {
         return new SensorBench(TestWorlds.with(TestWorlds.wall("wall", 0.2, -1, 0.25, 1)), mount, false);
     }
 
-    @Test void bumperIsPressedByTheWallAndFreeAfterBackingUp() {
+    @Test
+    void bumperIsPressedByTheWallAndFreeAfterBackingUp() {
         SensorBench sensor = touch(SensorType.EV3_TOUCH);
         assertThat(sensor.port.analog().pin6Volts()).isLessThan(PRESSED_VOLTS);
         sensor.bench.drive(40, 40);
@@ -39,7 +39,8 @@ class SensorPortTest {
         assertThat(sensor.port.analog().pin6Volts()).isLessThan(PRESSED_VOLTS);
     }
 
-    @Test void handPressesTheTouchSensor() {
+    @Test
+    void handPressesTheTouchSensor() {
         SensorBench sensor = touch(SensorType.EV3_TOUCH);
         sensor.port.push(true);
         assertThat(sensor.port.analog().pin6Volts()).isGreaterThan(PRESSED_VOLTS);
@@ -47,14 +48,16 @@ class SensorPortTest {
         assertThat(sensor.port.analog().pin6Volts()).isLessThan(PRESSED_VOLTS);
     }
 
-    @Test void nxtTouchSensorPullsPinOneDown() {
+    @Test
+    void nxtTouchSensorPullsPinOneDown() {
         SensorBench sensor = touch(SensorType.NXT_TOUCH);
         assertThat(sensor.port.analog().pin1Volts()).isGreaterThan(PRESSED_VOLTS);
         sensor.port.push(true);
         assertThat(sensor.port.analog().pin1Volts()).isLessThan(PRESSED_VOLTS);
     }
 
-    @Test void chassisBesideTheBumperDoesNotPressIt() {
+    @Test
+    void chassisBesideTheBumperDoesNotPressIt() {
         SensorMount mount = new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.06, 0), 0, 0.03,
                 TestWorlds.box(0.02, -0.02, 0.04, 0.02),
                 Optional.empty());
@@ -75,7 +78,8 @@ class SensorPortTest {
         assertThat(sensor.port.connected()).isEqualTo(type.attribute());
     }
 
-    @Test void emptyPortAnswersLikeNothing() {
+    @Test
+    void emptyPortAnswersLikeNothing() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_TOUCH);
         sensor.port.plug(null);
         assertThat(sensor.port.wiring()).isEqualTo(Wiring.NONE);
@@ -88,14 +92,16 @@ class SensorPortTest {
         assertThat(sensor.port.reading(0)).isEmpty();
     }
 
-    @Test void sensorPluggedAtRunTimeWorks() {
+    @Test
+    void sensorPluggedAtRunTimeWorks() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_TOUCH, TestWorlds.wall("wall", 0.56, -1, 0.6, 1));
         sensor.port.plug(SensorBench.front(SensorType.EV3_ULTRASONIC, 0.06));
         assertThat(sensor.port.uart().initialise(0)).isTrue();
         assertThat(sensor.shorts(1)[0]).isCloseTo(500, offset(10));
     }
 
-    @Test void serialDeviceIsSilentUntilInitialisedAndAfterReset() {
+    @Test
+    void serialDeviceIsSilentUntilInitialisedAndAfterReset() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_COLOR);
         assertThat(sensor.port.uart().read(new byte[2], 0, 2)).isZero();
         sensor.port.uart().initialise(0);
@@ -104,14 +110,16 @@ class SensorPortTest {
         assertThat(sensor.port.uart().read(new byte[2], 0, 2)).isZero();
     }
 
-    @Test void unknownModeIsRefused() {
+    @Test
+    void unknownModeIsRefused() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_COLOR);
         assertThat(sensor.port.uart().initialise(9)).isFalse();
         assertThat(sensor.port.uart().setMode(-1)).isFalse();
         assertThat(sensor.port.uart().modeName(4)).isEqualTo("RGB-RAW");
     }
 
-    @Test void modeSwitchBlocksForTensOfMilliseconds() {
+    @Test
+    void modeSwitchBlocksForTensOfMilliseconds() {
         SensorBench sensor = new SensorBench(TestWorlds.with(), SensorBench.front(SensorType.EV3_COLOR, 0.008), false);
         sensor.port.uart().initialise(0);
         long before = sensor.bench.processor.nowNanos();
@@ -122,7 +130,8 @@ class SensorPortTest {
         assertThat(sensor.bench.processor.nowNanos() - switched).isLessThan(1_000_000L);
     }
 
-    @Test void everyReadCharges() {
+    @Test
+    void everyReadCharges() {
         SensorBench sensor = SensorBench.of(SensorType.EV3_TOUCH);
         long before = sensor.bench.processor.nowNanos();
         sensor.port.analog().pin6Volts();
@@ -135,7 +144,8 @@ class SensorPortTest {
         return sensor;
     }
 
-    @Test void gyroCountsClockwisePositive() {
+    @Test
+    void gyroCountsClockwisePositive() {
         SensorBench sensor = gyro(true);
         sensor.bench.rotate(183, -183, 180);
         sensor.bench.runMillis(500);
@@ -145,7 +155,8 @@ class SensorPortTest {
         assertThat(values[1]).isZero();
     }
 
-    @Test void gyroRateIsTheYawRate() {
+    @Test
+    void gyroRateIsTheYawRate() {
         SensorBench sensor = gyro(true);
         sensor.bench.drive(-30, 30);
         sensor.bench.runMillis(1000);
@@ -154,7 +165,8 @@ class SensorPortTest {
         assertThat((double) rate).isCloseTo(Math.toDegrees(sensor.bench.robot.yawRateRadiansPerSecond()), offset(3.0));
     }
 
-    @Test void gyroRateSaturatesAt440() {
+    @Test
+    void gyroRateSaturatesAt440() {
         SensorBench sensor = gyro(true);
         sensor.bench.devices.battery().setOpenVolts(12);
         sensor.bench.drive(100, -100);
@@ -163,7 +175,8 @@ class SensorPortTest {
         assertThat(sensor.shorts(2)[1]).isEqualTo(440);
     }
 
-    @Test void gyroAngleEndsAt32767() {
+    @Test
+    void gyroAngleEndsAt32767() {
         SensorBench sensor = gyro(true);
         sensor.bench.devices.battery().setOpenVolts(9);
         sensor.bench.drive(90, -90);
@@ -172,7 +185,8 @@ class SensorPortTest {
         assertThat(sensor.shorts(2)[0]).isEqualTo(32_767);
     }
 
-    @Test void realGyroIsAFewDegreesOffButNotMore() {
+    @Test
+    void realGyroIsAFewDegreesOffButNotMore() {
         SensorBench sensor = gyro(false);
         for (int i = 0; i < 4; i++) {
             sensor.bench.rotate(183, -183, 180);
@@ -181,7 +195,8 @@ class SensorPortTest {
         assertThat(error).isBetween(-9.0, 9.0);
     }
 
-    @Test void resetWhileTurningMakesTheAngleDrift() {
+    @Test
+    void resetWhileTurningMakesTheAngleDrift() {
         SensorBench sensor = gyro(false);
         sensor.bench.drive(20, -20);
         sensor.bench.runMillis(500);
@@ -194,7 +209,8 @@ class SensorPortTest {
         assertThat(sensor.shorts(2)[0]).isLessThan(first - 50);
     }
 
-    @Test void gyroAtRestDriftsLittle() {
+    @Test
+    void gyroAtRestDriftsLittle() {
         SensorBench sensor = gyro(false);
         sensor.bench.runMillis(20_000);
         assertThat(sensor.shorts(2)[0]).isBetween(-1, 1);

@@ -113,20 +113,24 @@ class TractionTest {
         return pushed(arena, 1500);
     }
 
-    @Test void heavierOfTwoRobotsWithEqualMotorsPushesTheOtherBack() {
+    @Test
+    void heavierOfTwoRobotsWithEqualMotorsPushesTheOtherBack() {
         assertThat(contest(model(1.1, 0.05), model(0.8, 0.05))).isGreaterThan(0.2);
         assertThat(contest(model(0.8, 0.05), model(1.1, 0.05))).isLessThan(-0.1);
     }
 
-    @Test void equalRobotsPushInVain() {
+    @Test
+    void equalRobotsPushInVain() {
         assertThat(contest(model(0.9, 0.05), model(0.9, 0.05))).isCloseTo(-0.01, offset(0.012));
     }
 
-    @Test void equallyHeavyRobotWithMoreWeightOnItsWheelsWins() {
+    @Test
+    void equallyHeavyRobotWithMoreWeightOnItsWheelsWins() {
         assertThat(contest(model(0.9, 0.05, -0.05, 0.05), model(0.9, 0.05, -0.13, 0.05))).isGreaterThan(0.2);
     }
 
-    @Test void tyresHoldSidewaysUpToTheirFrictionIdealOnesAlways() {
+    @Test
+    void tyresHoldSidewaysUpToTheirFrictionIdealOnesAlways() {
         assertThat(pushedFromTheSide(1.6, false)).as("heavy pusher").isGreaterThan(0.05);
         assertThat(pushedFromTheSide(0.5, false)).as("light pusher").isCloseTo(0, offset(0.003));
         assertThat(pushedFromTheSide(1.6, true)).as("ideal tyres").isCloseTo(0, offset(0.003));

@@ -47,7 +47,8 @@ class BrickFilesTest {
         return bytes;
     }
 
-    @Test void aFreshBrickHasItsFoldersAndNoFiles() throws IOException {
+    @Test
+    void aFreshBrickHasItsFoldersAndNoFiles() throws IOException {
         assertThat(files.list("/")).containsExactly("home", "tmp");
         assertThat(files.list("/home/lejos")).containsExactly("lib", "programs", "samples");
         assertThat(files.list("")).isEmpty();
@@ -55,7 +56,8 @@ class BrickFilesTest {
         assertThat(files.freeBytes()).isEqualTo(BrickFiles.CAPACITY_BYTES);
     }
 
-    @Test void oneFileHasManyNames() throws IOException {
+    @Test
+    void oneFileHasManyNames() throws IOException {
         write("a.txt", 1, 2);
         for (String name : List.of("a.txt", "./a.txt", "/home/lejos/programs/a.txt", "../programs/a.txt",
                 "/../home/lejos/./programs//a.txt")) {
@@ -64,7 +66,8 @@ class BrickFilesTest {
         assertThat(files.written()).containsExactly(Map.entry("/home/lejos/programs/a.txt", 2));
     }
 
-    @Test void writingBehindTheEndLeavesZeros() throws IOException {
+    @Test
+    void writingBehindTheEndLeavesZeros() throws IOException {
         try (FileChannel channel = files.open("a", Set.of(WRITE))) {
             channel.write(ByteBuffer.wrap(bytes(9, 9, 9, 9)));
             channel.truncate(1);
@@ -73,7 +76,8 @@ class BrickFilesTest {
         assertThat(files.read("a")).as("what was cut off does not come back").containsExactly(9, 0, 0, 7);
     }
 
-    @Test void appendingWritesAtTheEndWhereverThePositionIs() throws IOException {
+    @Test
+    void appendingWritesAtTheEndWhereverThePositionIs() throws IOException {
         write("a", 1);
         try (FileChannel channel = files.open("a", Set.of(StandardOpenOption.APPEND))) {
             channel.position(0).write(ByteBuffer.wrap(bytes(2)));
@@ -83,7 +87,8 @@ class BrickFilesTest {
         assertThat(files.read("a")).containsExactly(5, 6, 7, 3);
     }
 
-    @Test void filesHaveTheDateOfTheirLastWrite() throws IOException {
+    @Test
+    void filesHaveTheDateOfTheirLastWrite() throws IOException {
         now = 2000;
         write("a", 1);
         now = 3000;
@@ -94,7 +99,8 @@ class BrickFilesTest {
         assertThat(files.modifiedMillis("absent")).isZero();
     }
 
-    @Test void roomIsTakenAndGivenBack() throws IOException {
+    @Test
+    void roomIsTakenAndGivenBack() throws IOException {
         write("a", new int[100]);
         assertThat(files.freeBytes()).isEqualTo(BrickFiles.CAPACITY_BYTES - 100);
         write("a", 1);
@@ -106,7 +112,8 @@ class BrickFilesTest {
         assertThat(files.freeBytes()).isEqualTo(BrickFiles.CAPACITY_BYTES);
     }
 
-    @Test void nothingFitsBeyondTheCapacity() throws IOException {
+    @Test
+    void nothingFitsBeyondTheCapacity() throws IOException {
         try (FileChannel channel = files.open("a", Set.of(WRITE))) {
             for (long position : new long[] {BrickFiles.CAPACITY_BYTES, Long.MAX_VALUE - 1, 1L << 40}) {
                 assertThatThrownBy(() -> channel.write(ByteBuffer.allocate(1), position)).as("at " + position)
@@ -118,7 +125,8 @@ class BrickFilesTest {
         assertThat(files.freeBytes()).isEqualTo(BrickFiles.CAPACITY_BYTES - 10);
     }
 
-    @Test void aDeletedFileLivesOnForWhoHasItOpen() throws IOException {
+    @Test
+    void aDeletedFileLivesOnForWhoHasItOpen() throws IOException {
         try (FileChannel channel = files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.READ,
                 StandardOpenOption.WRITE))) {
             channel.write(ByteBuffer.wrap(bytes(1, 2)));
@@ -131,7 +139,8 @@ class BrickFilesTest {
         assertThat(files.freeBytes()).isEqualTo(BrickFiles.CAPACITY_BYTES);
     }
 
-    @Test void channelsDoWhatTheyWereOpenedFor() throws IOException {
+    @Test
+    void channelsDoWhatTheyWereOpenedFor() throws IOException {
         write("a", 1, 2, 3);
         FileChannel reader = files.open("a", Set.of(StandardOpenOption.READ));
         assertThatThrownBy(() -> reader.write(ByteBuffer.allocate(1))).isInstanceOf(NonWritableChannelException.class);
@@ -149,7 +158,8 @@ class BrickFilesTest {
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
-    @Test void channelsCopyToEachOther() throws IOException {
+    @Test
+    void channelsCopyToEachOther() throws IOException {
         write("a", new int[20_000]);
         try (FileChannel from = files.open("a", Set.of(StandardOpenOption.READ)); FileChannel to =
                 files.open("b", Set.of(WRITE))) {
@@ -159,7 +169,8 @@ class BrickFilesTest {
         assertThat(files.length("b")).isEqualTo(20_000);
     }
 
-    @Test void aFileThatIsDeletedAtItsEndGoes() throws IOException {
+    @Test
+    void aFileThatIsDeletedAtItsEndGoes() throws IOException {
         files.open("a", Set.of(StandardOpenOption.CREATE, StandardOpenOption.WRITE,
                 StandardOpenOption.DELETE_ON_CLOSE)).close();
         assertThat(files.exists("a")).isFalse();
@@ -172,7 +183,8 @@ class BrickFilesTest {
         assertThat(files.list("")).isEmpty();
     }
 
-    @Test void whatCannotBeIsRefusedInTheTermsOfTheJdk() throws IOException {
+    @Test
+    void whatCannotBeIsRefusedInTheTermsOfTheJdk() throws IOException {
         write("file", 1);
         files.createFolder("folder");
         write("folder/inside", 1);
@@ -196,7 +208,8 @@ class BrickFilesTest {
         assertThat(files.read("folder/inside")).as("untouched").containsExactly(1);
     }
 
-    @Test void anOriginalIsReadAndNeverWritten() throws IOException {
+    @Test
+    void anOriginalIsReadAndNeverWritten() throws IOException {
         Path original = Files.write(host.resolve("original"), bytes(1, 2, 3));
         files.put("gifts/a", original, 3);
         assertThat(files.length("gifts/a")).isEqualTo(3);
@@ -211,14 +224,16 @@ class BrickFilesTest {
         assertThat(Files.readAllBytes(original)).containsExactly(1, 2, 3);
     }
 
-    @Test void anOriginalUnderAnotherNameIsTheProgramsFile() throws IOException {
+    @Test
+    void anOriginalUnderAnotherNameIsTheProgramsFile() throws IOException {
         files.put("d/a", Files.write(host.resolve("original"), bytes(1, 2)), 2);
         files.move("d", "e", false);
         assertThat(files.written()).containsExactly(Map.entry("/home/lejos/programs/e/a", 2));
         assertThat(files.exists("d")).isFalse();
     }
 
-    @Test void anOriginalThatIsGoneIsAnErrorOfInput() throws IOException {
+    @Test
+    void anOriginalThatIsGoneIsAnErrorOfInput() throws IOException {
         Path original = Files.write(host.resolve("original"), bytes(1));
         files.put("a", original, 1);
         Files.delete(original);

@@ -30,7 +30,8 @@ class BrickPathTest {
         }
     }
 
-    @Test void theirPartsAreThoseOfTheHostsPaths() {
+    @Test
+    void theirPartsAreThoseOfTheHostsPaths() {
         sameAsTheHost("text", Path::toString);
         sameAsTheHost("name", Path::getFileName);
         sameAsTheHost("parent", Path::getParent);
@@ -46,7 +47,8 @@ class BrickPathTest {
         }));
     }
 
-    @Test void pairsBehaveLikePairsOfTheHostsPaths() {
+    @Test
+    void pairsBehaveLikePairsOfTheHostsPaths() {
         for (int i = 0; i < TEXTS.size() * TEXTS.size(); i++) {
             String one = TEXTS.get(i % TEXTS.size());
             String two = TEXTS.get(i / TEXTS.size());
@@ -63,7 +65,8 @@ class BrickPathTest {
         }
     }
 
-    @Test void aWayLeadsFromOneNormalPathToAnother() {
+    @Test
+    void aWayLeadsFromOneNormalPathToAnother() {
         List<String> normal = List.of("/", "/a", "/a/b/c", "/a/x", "/b");
         for (int i = 0; i < normal.size() * normal.size(); i++) {
             String one = normal.get(i % normal.size());
@@ -75,17 +78,20 @@ class BrickPathTest {
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
-    @Test void relativePathsBeginWhereProgramsLie() {
+    @Test
+    void relativePathsBeginWhereProgramsLie() {
         assertThat(files.path("a/../b").toAbsolutePath()).hasToString("/home/lejos/programs/a/../b");
         assertThat(files.path("").toAbsolutePath()).hasToString("/home/lejos/programs");
         assertThat(files.path("log one.txt").toUri()).hasToString("file:/home/lejos/programs/log%20one.txt");
     }
 
-    @Test void pathsOfTwoBricksDiffer() {
+    @Test
+    void pathsOfTwoBricksDiffer() {
         assertThat(files.path("/a")).isNotEqualTo(new BrickFiles(0, () -> 0).path("/a"));
     }
 
-    @Test void pathsOfTheHostAreRefused() {
+    @Test
+    void pathsOfTheHostAreRefused() {
         assertThatThrownBy(() -> files.path("/a").resolve(Path.of("b"))).isInstanceOf(ProviderMismatchException.class);
     }
 }

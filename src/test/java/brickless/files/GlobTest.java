@@ -20,7 +20,8 @@ class GlobTest {
 
     private final BrickFiles files = new BrickFiles(0, () -> 0);
 
-    @Test void everyPatternMatchesWhatItMatchesOnTheHost() {
+    @Test
+    void everyPatternMatchesWhatItMatchesOnTheHost() {
         for (int i = 0; i < GLOBS.size() * NAMES.size(); i++) {
             String glob = "glob:" + GLOBS.get(i % GLOBS.size());
             String name = NAMES.get(i / GLOBS.size());
@@ -30,7 +31,8 @@ class GlobTest {
         }
     }
 
-    @Test void patternsThatAreNotClosedAreRefused() {
+    @Test
+    void patternsThatAreNotClosedAreRefused() {
         for (String open : List.of("a{b", "a[b", "{a,{b}}")) {
             assertThatThrownBy(() -> files.fileSystem().getPathMatcher("glob:" + open)).as(open)
                     .isInstanceOf(PatternSyntaxException.class);
@@ -41,7 +43,8 @@ class GlobTest {
                 .isInstanceOf(UnsupportedOperationException.class);
     }
 
-    @Test void regularExpressionsMatchTheWholePath() {
+    @Test
+    void regularExpressionsMatchTheWholePath() {
         assertThat(files.fileSystem().getPathMatcher("regex:a.*").matches(files.path("abc"))).isTrue();
         assertThat(files.fileSystem().getPathMatcher("regex:b").matches(files.path("abc"))).isFalse();
     }

@@ -32,8 +32,8 @@ class SimulatedTest {
     @Test
     void testsThatHoldPass() {
         cases.assertPassed("oneSimulationPerTest", "methodBeforeClass", "filesOfTheUser", "freshBrick",
-                "inlineWorld", "inlineRobot", "seeds#1", "seeds#2", "seeds#3", "seeds#4", "seedByParameter#1", "seedByParameter#2", "severalRuns",
-                "activeBehaviour");
+                "inlineWorld", "inlineRobot", "seeds#1", "seeds#2", "seeds#3", "seeds#4", "seedByParameter#1",
+                "seedByParameter#2", "severalRuns", "activeBehaviour");
     }
 
     @Test

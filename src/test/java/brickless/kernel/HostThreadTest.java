@@ -100,7 +100,8 @@ class HostThreadTest {
         });
         // Sleeps of 2,3,4 / 3,4,5 / 4,5,2 / 5,2,3 ms, all from 2.5 ms on; who went to sleep first wakes first.
         assertThat(robot.log).containsExactly(
-                "0.0", "1.0", "2.0", "plain.0", "3.0", "0.1", "1.1", "3.1", "plain.1", "2.1", "0.2", "3.2", "2.2", "1.2", "plain.2");
+                "0.0", "1.0", "2.0", "plain.0", "3.0", "0.1", "1.1", "3.1", "plain.1", "2.1", "0.2", "3.2", "2.2",
+                "1.2", "plain.2");
     }
 
     @ParameterizedTest

@@ -15,14 +15,16 @@ class SpinBackOffTest {
         return waits;
     }
 
-    @Test void everyFailureInARowDoublesTheWaitsWithoutSpinningUpToALimit() {
+    @Test
+    void everyFailureInARowDoublesTheWaitsWithoutSpinningUpToALimit() {
         for (int expected : new int[] {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 1024}) {
             backOff.failed();
             assertThat(waitsUntilTheNextSpin()).isEqualTo(expected);
         }
     }
 
-    @Test void aSuccessMakesTheNextFailureAFirstOne() {
+    @Test
+    void aSuccessMakesTheNextFailureAFirstOne() {
         backOff.failed();
         backOff.failed();
         waitsUntilTheNextSpin();
@@ -32,7 +34,8 @@ class SpinBackOffTest {
         assertThat(waitsUntilTheNextSpin()).isEqualTo(1);
     }
 
-    @Test void nobodySpinsWhenThereAreTooManyRunsForThisMachine() {
+    @Test
+    void nobodySpinsWhenThereAreTooManyRunsForThisMachine() {
         int runs = Runtime.getRuntime().availableProcessors();
         for (int i = 0; i < runs; i++) {
             SpinBackOff.runBegins();

@@ -17,7 +17,8 @@ class WatchdogTest {
     private final Heartbeat heartbeat = new Heartbeat();
     private long busyNanos;
     private boolean waiting;
-    private final Watchdog watchdog = new Watchdog(heartbeat, 1_000, () -> new HostActivity(busyNanos, waiting), () -> { });
+    private final Watchdog watchdog = new Watchdog(heartbeat, 1_000,
+            () -> new HostActivity(busyNanos, waiting), () -> { });
 
     /** One look after the thread used some processor time. */
     private boolean runawayAfter(long nanos) {

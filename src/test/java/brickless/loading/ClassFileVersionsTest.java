@@ -24,7 +24,9 @@ import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.Opcodes;
 
-/** A program with threads, locks, loops and initialisers runs the same, whatever version its class files have: 48 to 69. */
+/**
+ * A program with threads, locks, loops and initialisers runs the same, whatever version its class files have: 48 to 69.
+ */
 class ClassFileVersionsTest {
     private static final int FIRST = Opcodes.V1_4;
     private static final int LAST = Opcodes.V25;
@@ -47,7 +49,11 @@ class ClassFileVersionsTest {
                     public void run() {
                         for (int i = 0; i < 100; i++) { synchronized (LOCK) { sum[0] += add(i); } Thread.yield(); }
                     }
-                    synchronized int add(int i) { try { switch (i % 3) { case 0: return 1; case 1: return 2; default: return 3; } } finally { i++; } }
+                    synchronized int add(int i) {
+                        try {
+                            switch (i % 3) { case 0: return 1; case 1: return 2; default: return 3; }
+                        } finally { i++; }
+                    }
                 }
                 public static void main(String[] args) throws Exception {
                     int[] sum = new int[1];
@@ -67,7 +73,13 @@ class ClassFileVersionsTest {
             Runnable print = () -> System.out.println("lambda " + LOCK.getClass().getSimpleName() + sum[0]);
             Thread thread = new Thread(print);
             thread.start();
-            java.util.function.LongConsumer join = millis -> { try { thread.join(millis); } catch (InterruptedException e) { throw new IllegalStateException(e); } };
+            java.util.function.LongConsumer join = millis -> {
+                try {
+                    thread.join(millis);
+                } catch (InterruptedException e) {
+                    throw new IllegalStateException(e);
+                }
+            };
             join.accept(0);
             java.util.List.of(3, 1, 2).stream().sorted().forEach(System.out::println);
             """;
@@ -82,7 +94,8 @@ class ClassFileVersionsTest {
     }
 
     static IntStream releasesOfTheCompiler() {
-        return versionsOfThisJvm().filter(version -> version >= FIRST_WITH_LAMBDAS).map(version -> version - RELEASE_OF_VERSION);
+        return versionsOfThisJvm().filter(version -> version >= FIRST_WITH_LAMBDAS)
+                .map(version -> version - RELEASE_OF_VERSION);
     }
 
     @ParameterizedTest
@@ -96,8 +109,8 @@ class ClassFileVersionsTest {
     @ParameterizedTest
     @MethodSource("releasesOfTheCompiler")
     void whatEveryReleaseOfTheCompilerMakesRunsTheSame(int release) throws IOException {
-        compile(PLAIN.replace("BODY", release >= 9 ? LAMBDAS : LAMBDAS.replace("java.util.List.of", "java.util.Arrays.asList")),
-                Integer.toString(release));
+        compile(PLAIN.replace("BODY", release >= 9 ? LAMBDAS
+                : LAMBDAS.replace("java.util.List.of", "java.util.Arrays.asList")), Integer.toString(release));
         assertThat(output()).isEqualTo(OUTPUT_WITH_LAMBDAS);
     }
 
@@ -116,7 +129,8 @@ class ClassFileVersionsTest {
 
     private List<String> output() throws IOException {
         try (RobotClassLoader loader = RobotClassLoader.ofPaths(List.of(folder))) {
-            ProgramRun run = ProgramRun.run(loader, "Versions", KernelSettings.defaults().withLimitNanos(10_000_000_000L), "");
+            ProgramRun run = ProgramRun.run(loader, "Versions", KernelSettings.defaults()
+                    .withLimitNanos(10_000_000_000L), "");
             assertThat(run.end().kind()).as(run.output()).isEqualTo(ProgramEnd.Kind.EXITED);
             return run.output().lines().toList();
         }
@@ -125,11 +139,13 @@ class ClassFileVersionsTest {
     private void compile(String source, String release, String... options) throws IOException {
         Path file = Files.writeString(folder.resolve("Versions.java"), source);
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        List<String> arguments = new ArrayList<>(List.of("-nowarn", "-Xlint:-options", "--release", release, "-d", folder.toString()));
+        List<String> arguments = new ArrayList<>(List.of("-nowarn", "-Xlint:-options", "--release", release, "-d",
+                folder.toString()));
         arguments.addAll(List.of(options));
         arguments.add(file.toString());
         ByteArrayOutputStream messages = new ByteArrayOutputStream();
-        assertThat(compiler.run(null, messages, messages, arguments.toArray(String[]::new))).as(messages.toString(StandardCharsets.UTF_8)).isZero();
+        assertThat(compiler.run(null, messages, messages, arguments.toArray(String[]::new)))
+                .as(messages.toString(StandardCharsets.UTF_8)).isZero();
     }
 
     /** Gives all class files another version; before version 50 there were no frames, before 49 no class constants. */
@@ -139,7 +155,8 @@ class ClassFileVersionsTest {
             ClassWriter writer = new ClassWriter(0);
             new ClassReader(Files.readAllBytes(file)).accept(new ClassVisitor(Opcodes.ASM9, writer) {
                 @Override
-                public void visit(int old, int access, String type, String signature, String parent, String[] interfaces) {
+                public void visit(int old, int access, String type, String signature, String parent,
+                        String[] interfaces) {
                     super.visit(version, access, type, signature, parent, interfaces);
                 }
             }, version < Opcodes.V1_6 ? ClassReader.SKIP_FRAMES : 0);

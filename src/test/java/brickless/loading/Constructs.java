@@ -33,7 +33,8 @@ final class Constructs extends ClassVisitor {
             Path file = Path.of(Constructs.class.getResource("/" + mainClass.replace('.', '/') + ".class").toURI());
             String name = file.getFileName().toString().replace(".class", "");
             try (Stream<Path> siblings = Files.list(file.getParent())) {
-                for (Path each : siblings.filter(path -> path.getFileName().toString().matches(name + "(\\$.*)?\\.class")).toList()) {
+                for (Path each : siblings.filter(path -> path.getFileName().toString()
+                        .matches(name + "(\\$.*)?\\.class")).toList()) {
                     new ClassReader(Files.readAllBytes(each)).accept(constructs, ClassReader.SKIP_DEBUG);
                 }
             }
@@ -51,7 +52,8 @@ final class Constructs extends ClassVisitor {
     }
 
     @Override
-    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
+    public MethodVisitor visitMethod(int access, String name, String descriptor, String signature,
+            String[] exceptions) {
         if ((access & Opcodes.ACC_SYNCHRONIZED) != 0) {
             found.add((access & Opcodes.ACC_STATIC) != 0 ? "static synchronized" : "synchronized");
         }
@@ -118,7 +120,8 @@ final class Constructs extends ClassVisitor {
         }
 
         @Override
-        public void visitMethodInsn(int opcode, String owner, String name, String descriptor, boolean ownerIsInterface) {
+        public void visitMethodInsn(int opcode, String owner, String name, String descriptor,
+                boolean ownerIsInterface) {
             found.add("call " + owner + "." + name);
             found.add("call " + name);
         }

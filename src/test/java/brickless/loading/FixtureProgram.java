@@ -31,8 +31,8 @@ record FixtureProgram(String mainClass, String expected, long limitSeconds, Stri
         Path sources = sources();
         try (Stream<Path> files = Files.walk(sources.resolve("programs"))) {
             List<FixtureProgram> programs = new ArrayList<>();
-            for (Path file : files.filter(path -> path.toString().endsWith(".java") && tellsItsEnd(sources.relativize(path))).sorted()
-                    .collect(Collectors.toList())) {
+            for (Path file : files.filter(path -> path.toString().endsWith(".java")
+                    && tellsItsEnd(sources.relativize(path))).sorted().collect(Collectors.toList())) {
                 String text = Files.readString(file, StandardCharsets.UTF_8);
                 if (text.contains("void main(String")) {
                     String name = sources.relativize(file).toString().replace('\\', '/').replace('/', '.');

@@ -39,7 +39,8 @@ record ProgramRun(ProgramEnd end, String output, String traceHash) {
     }
 
     /** Runs a program in several robots, which meet at the steps. */
-    static List<ProgramRun> together(List<RobotContext> robots, String mainClass, List<KernelSettings> settings, String input) {
+    static List<ProgramRun> together(List<RobotContext> robots, String mainClass, List<KernelSettings> settings,
+            String input) {
         List<Kernel> kernels = new ArrayList<>();
         List<ByteArrayOutputStream> outputs = new ArrayList<>();
         List<Trace> traces = new ArrayList<>();

@@ -38,7 +38,8 @@ class ReachableClassesTest {
 
     static class Pen {}
 
-    private static final List<Class<?>> FOLDER = List.of(Shaft.class, Pen.class, Driving.class, Wheel.class, Plotting.class, Gear.class);
+    private static final List<Class<?>> FOLDER = List.of(Shaft.class, Pen.class, Driving.class, Wheel.class,
+            Plotting.class, Gear.class);
 
     private static byte[] fileOf(Class<?> type) {
         try (InputStream in = type.getResourceAsStream("/" + type.getName().replace('.', '/') + ".class")) {

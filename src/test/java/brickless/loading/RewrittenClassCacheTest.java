@@ -3,17 +3,19 @@ package brickless.loading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import brickless.loading.ClassSummary.Initialisation;
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Entries fit only where the same is true about other classes, and old ones make room. */
 class RewrittenClassCacheTest {
     private static final ClassSummary HARMLESS =
-            new ClassSummary("java/lang/Object", List.of(), false, false, Set.of(), Set.of(), Set.of(), Initialisation.HARMLESS);
+            new ClassSummary("java/lang/Object", List.of(), false, false, Set.of(), Set.of(), Set.of(),
+                    Initialisation.HARMLESS);
     private static final ClassSummary BLOCKING =
-            new ClassSummary("java/lang/Object", List.of(), false, false, Set.of(), Set.of(), Set.of(), Initialisation.MAY_BLOCK);
+            new ClassSummary("java/lang/Object", List.of(), false, false, Set.of(), Set.of(), Set.of(),
+                    Initialisation.MAY_BLOCK);
 
     private final RewrittenClassCache cache = new RewrittenClassCache(100);
 

@@ -24,13 +24,15 @@ class SharedClassesTest {
     @TestFactory
     Stream<DynamicTest> everyProgramDoesTheSameWithSharedClasses() throws IOException {
         return FixtureProgram.all().stream().filter(program -> !endsOnTheHost(program) && isShareable(program))
-                .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> checkWith(program, BackendChoice.AUTO, true)));
+                .map(program -> DynamicTest.dynamicTest(program.mainClass(),
+                        () -> checkWith(program, BackendChoice.AUTO, true)));
     }
 
     @TestFactory
     Stream<DynamicTest> onThreadsAndInOrderToo() throws IOException {
         return FixtureProgram.all().stream()
-                .filter(program -> program.mainClass().contains(".statics.") || program.mainClass().contains(".initialisers."))
+                .filter(program -> program.mainClass().contains(".statics.")
+                        || program.mainClass().contains(".initialisers."))
                 .filter(SharedClassesTest::isShareable)
                 .map(program -> DynamicTest.dynamicTest(program.mainClass(), () -> {
                     checkWith(program, BackendChoice.THREADS, true);
@@ -53,14 +55,15 @@ class SharedClassesTest {
         }
     }
 
-    private static List<ProgramRun> runs(FixtureProgram program, BackendChoice backend, boolean randomSchedules, boolean shared) {
+    private static List<ProgramRun> runs(FixtureProgram program, BackendChoice backend, boolean randomSchedules,
+            boolean shared) {
         List<RobotContext> robots = new ArrayList<>();
         List<KernelSettings> settings = new ArrayList<>();
         RobotClassLoader together = RobotClassLoader.ofApplication().forSeveralRobots();
         for (int i = 0; i < ROBOTS; i++) {
             robots.add((shared ? together : RobotClassLoader.ofApplication()).newRobot());
-            KernelSettings plain = KernelSettings.defaults().withStepNanos(10_000_000).withLimitNanos(program.limitSeconds() * NANOS_PER_SECOND)
-                    .withBackend(backend).withSeed(i);
+            KernelSettings plain = KernelSettings.defaults().withStepNanos(10_000_000)
+                    .withLimitNanos(program.limitSeconds() * NANOS_PER_SECOND).withBackend(backend).withSeed(i);
             settings.add(randomSchedules ? plain.withScheduleSeed(i) : plain);
         }
         return ProgramRun.together(robots, program.mainClass(), settings, program.input());

@@ -43,7 +43,8 @@ class SharingObstaclesTest {
 
     @Test
     void ourOwnClassesThatRobotsShareHaveNone() throws IOException {
-        Path classes = Path.of(java.net.URI.create(RobotClassLoader.class.getProtectionDomain().getCodeSource().getLocation().toString()));
+        Path classes = Path.of(java.net.URI.create(RobotClassLoader.class.getProtectionDomain().getCodeSource()
+                .getLocation().toString()));
         List<String> obstacles = new ArrayList<>();
         for (String ours : List.of("lejos", "brickless/concurrent", "brickless/junit/brick")) {
             try (Stream<Path> files = Files.walk(classes.resolve(ours))) {
@@ -56,7 +57,8 @@ class SharingObstaclesTest {
                 }
             }
         }
-        String startsWhatWasLookedAt = "(lejos/internal/ev3/EV3Wrapper|brickless/junit/brick/TestCall) java/lang/Class.forName.*";
+        String startsWhatWasLookedAt =
+                "(lejos/internal/ev3/EV3Wrapper|brickless/junit/brick/TestCall) java/lang/Class.forName.*";
         String onlyForProgramsThatUseStreams = "brickless/concurrent/util/Hashtable java/io/Object.*";
         assertThat(obstacles).allMatch(use -> use.matches(startsWhatWasLookedAt + "|" + onlyForProgramsThatUseStreams));
     }

@@ -57,7 +57,9 @@ class BoxTreeTest {
         return met;
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3}) void anyChangesLeadToTheTreeOfJBox2D(long seed) {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void anyChangesLeadToTheTreeOfJBox2D(long seed) {
         random = new Random(seed);
         AABB everything = new AABB(new Vec2(-2 * SIDE, -2 * SIDE), new Vec2(4 * SIDE, 4 * SIDE));
         int overlaps = 0;
@@ -67,7 +69,8 @@ class BoxTreeTest {
             assertThat(met(own, somewhere)).as("change %d", i).isEqualTo(met(theirs, somewhere));
             overlaps += met(own, somewhere).size();
             if (i % 50 == 0) {
-                assertThat(met(own, everything)).as("change %d", i).isEqualTo(met(theirs, everything)).hasSameSizeAs(proxies);
+                assertThat(met(own, everything)).as("change %d", i).isEqualTo(met(theirs, everything))
+                        .hasSameSizeAs(proxies);
                 assertThat(own.getHeight()).isEqualTo(theirs.getHeight()).isEqualTo(own.computeHeight());
                 assertThat(own.getMaxBalance()).isEqualTo(theirs.getMaxBalance());
                 assertThat(own.getAreaRatio()).isCloseTo(theirs.getAreaRatio(), within(1e-3f));
@@ -81,7 +84,9 @@ class BoxTreeTest {
         assertThat(overlaps).isGreaterThan(CHANGES);
     }
 
-    @ParameterizedTest @ValueSource(longs = {4, 5}) void aRayGetsToAllBoxesThatJBox2DWouldShowIt(long seed) {
+    @ParameterizedTest
+    @ValueSource(longs = {4, 5})
+    void aRayGetsToAllBoxesThatJBox2DWouldShowIt(long seed) {
         random = new Random(seed);
         for (int i = 0; i < 300; i++) {
             change(i);

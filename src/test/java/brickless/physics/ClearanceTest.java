@@ -22,7 +22,8 @@ class ClearanceTest {
         return sweep;
     }
 
-    @Test void everySideHasItsOwnRoom() {
+    @Test
+    void everySideHasItsOwnRoom() {
         assertThat(clearance.enough(at(0.91f, 1, 3))).isTrue();
         assertThat(clearance.enough(at(0.9f, 1, 3))).isFalse();
         assertThat(clearance.enough(at(1, 0.81f, 3))).isTrue();
@@ -33,26 +34,30 @@ class ClearanceTest {
         assertThat(clearance.enough(at(1, 1.4f, 3))).isFalse();
     }
 
-    @Test void turningEitherWayTakesRoomFromAllSides() {
+    @Test
+    void turningEitherWayTakesRoomFromAllSides() {
         assertThat(clearance.enough(at(1, 1, 3.047f))).isTrue();
         assertThat(clearance.enough(at(1, 1, 3.05f))).isFalse();
         assertThat(clearance.enough(at(1, 1, 2.95f))).isFalse();
         assertThat(clearance.enough(at(1.05f, 1, 2.95f))).as("away from the side that is short of room").isTrue();
     }
 
-    @Test void goingBackGivesRoomBack() {
+    @Test
+    void goingBackGivesRoomBack() {
         assertThat(clearance.enough(at(1.5f, 1, 3))).isFalse();
         assertThat(clearance.enough(at(1, 1, 3))).isTrue();
     }
 
-    @Test void theShapeWithTheLeastRoomCounts() {
+    @Test
+    void theShapeWithTheLeastRoomCounts() {
         clearance.limit(0.5f, 0.5f, 0.05f, 0.5f);
         assertThat(clearance.enough(at(1.04f, 1, 3))).isTrue();
         assertThat(clearance.enough(at(1.05f, 1, 3))).isFalse();
         assertThat(clearance.enough(at(0.9f, 1, 3))).isFalse();
     }
 
-    @Test void nothingIsKnownOfARobotThatWasMovedByHand() {
+    @Test
+    void nothingIsKnownOfARobotThatWasMovedByHand() {
         clearance.forget();
         assertThat(clearance.enough(at(1, 1, 3))).isFalse();
         assertThat(clearance.radius()).isNegative();

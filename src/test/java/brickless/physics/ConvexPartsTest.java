@@ -15,19 +15,22 @@ class ConvexPartsTest {
         return pieces.stream().mapToDouble(ConvexParts::signedArea).sum();
     }
 
-    @Test void rectangleStaysWhole() {
+    @Test
+    void rectangleStaysWhole() {
         List<List<Point2>> pieces = ConvexParts.of(TestWorlds.box(0, 0, 0.3, 0.1));
         assertThat(pieces).hasSize(1);
         assertThat(pieces.get(0)).hasSize(4);
     }
 
-    @Test void orientationDoesNotMatter() {
+    @Test
+    void orientationDoesNotMatter() {
         List<Point2> reversed = new ArrayList<>(TestWorlds.box(0, 0, 0.3, 0.1));
         Collections.reverse(reversed);
         assertThat(area(ConvexParts.of(reversed))).isCloseTo(0.03, offset(1e-12));
     }
 
-    @Test void angleShapeIsCutIntoTwo() {
+    @Test
+    void angleShapeIsCutIntoTwo() {
         List<Point2> angle = List.of(new Point2(0, 0), new Point2(0.3, 0), new Point2(0.3, 0.1), new Point2(0.1, 0.1),
                 new Point2(0.1, 0.3),
                 new Point2(0, 0.3));
@@ -37,7 +40,8 @@ class ConvexPartsTest {
     }
 
     /** A sliver would push what is a few millimetres inside on through the disc instead of out. */
-    @Test void discIsCutIntoDeepSlices() {
+    @Test
+    void discIsCutIntoDeepSlices() {
         List<Point2> disc = new ArrayList<>();
         for (int i = 0; i < 60; i++) {
             disc.add(new Point2(0.06 * Math.cos(i * Math.PI / 30), 0.06 * Math.sin(i * Math.PI / 30)));
@@ -49,13 +53,15 @@ class ConvexPartsTest {
                 assertThat(Math.hypot(corner.x(), corner.y())).isLessThan(1e-9)));
     }
 
-    @Test void outlineWithoutAreaGivesNothing() {
+    @Test
+    void outlineWithoutAreaGivesNothing() {
         assertThat(ConvexParts.of(List.of(new Point2(0, 0), new Point2(1, 0), new Point2(2, 0)))).isEmpty();
         assertThat(ConvexParts.of(List.of(new Point2(0, 0), new Point2(0, 0)))).isEmpty();
     }
 
     /** Stars and rough discs with many corners: pieces are convex, small enough, and together as large as the whole. */
-    @Test void piecesOfStarsAreConvexAndCoverTheWhole() {
+    @Test
+    void piecesOfStarsAreConvexAndCoverTheWhole() {
         for (int index = 0; index < 60; index++) {
             int corners = 3 + index % 20;
             double dent = 0.3 + 0.35 * (index / 20);

@@ -25,12 +25,14 @@ class LazyTreeTest {
         return found;
     }
 
-    @Test void aShapeThatStaysWithinItsMarginIsNotMovedInTheTree() {
+    @Test
+    void aShapeThatStaysWithinItsMarginIsNotMovedInTheTree() {
         float within = Settings.aabbExtension * 0.9f;
         assertThat(tree.moveProxy(proxy, box(within, -within), AT_REST)).isFalse();
     }
 
-    @Test void aShapeThatLeavesItsMarginOnAnySideIsMoved() {
+    @Test
+    void aShapeThatLeavesItsMarginOnAnySideIsMoved() {
         float beyond = Settings.aabbExtension * 1.1f;
         assertThat(tree.moveProxy(proxy, box(beyond, 0), AT_REST)).isTrue();
         assertThat(tree.moveProxy(proxy, box(beyond, beyond), AT_REST)).isTrue();
@@ -39,7 +41,8 @@ class LazyTreeTest {
         assertThat(tree.moveProxy(proxy, box(0, 0), AT_REST)).isFalse();
     }
 
-    @Test void aMovedShapeIsFoundWhereItIs() {
+    @Test
+    void aMovedShapeIsFoundWhereItIs() {
         tree.moveProxy(proxy, box(10, 10), AT_REST);
         assertThat(found(box(10.5f, 10.5f))).containsExactly("crate");
         assertThat(found(box(0, 0))).isEmpty();

@@ -40,23 +40,27 @@ class LeanWorldTest {
             this.random = new Random(seed);
             world.setContinuousPhysics(false);
             Body ground = world.createBody(new BodyDef());
-            List<Obstacle> drawn = new ArrayList<>(List.of(TestWorlds.wall("north", 0, -0.1, 1.2, 0), TestWorlds.wall("south", 0, 1.2, 1.2, 1.3),
-                    TestWorlds.wall("west", -0.1, 0, 0, 1.2), TestWorlds.wall("east", 1.2, 0, 1.3, 1.2)));
+            List<Obstacle> drawn = new ArrayList<>(
+                    List.of(TestWorlds.wall("north", 0, -0.1, 1.2, 0), TestWorlds.wall("south", 0, 1.2, 1.2, 1.3),
+                            TestWorlds.wall("west", -0.1, 0, 0, 1.2), TestWorlds.wall("east", 1.2, 0, 1.3, 1.2)));
             for (int i = 0; i < 5; i++) {
                 drawn.add(TestWorlds.crate("crate" + i, 0.15 + 0.22 * i, 0.62, 0.08, 0.1 + 0.2 * i));
             }
             drawn.forEach(obstacle -> obstacles.add(new ObstacleBody(world, ground, obstacle)));
             for (int i = 0; i < 3; i++) {
-                Entrant entrant = new Entrant("robot" + i, model(i == 0), new Pose2(0.25 + 0.35 * i, i == 1 ? 0.9 : 0.3, i));
+                Entrant entrant = new Entrant("robot" + i, model(i == 0),
+                        new Pose2(0.25 + 0.35 * i, i == 1 ? 0.9 : 0.3, i));
                 robots.add(new RobotBody(world, ground, entrant, i, false, drawn.size()));
             }
             world.setContactListener(new Contacts(robots.size()));
         }
 
         private static RobotModel model(boolean turret) {
-            RobotModel plain = TestWorlds.educator(new SensorMount("bumper", 0, SensorType.EV3_TOUCH, new Point2(0.05, 0), 0, 0.03, List.of(), Optional.empty()));
-            return new RobotModel(plain.name(), plain.chassis(), plain.massKilograms(), plain.wheels(), plain.casters(), plain.sensors(),
-                    !turret ? List.of() : List.of(new RobotModel.Turret("turret", 0, MotorType.MEDIUM, 1, false, new Point2(-0.05, 0),
+            RobotModel plain = TestWorlds.educator(new SensorMount("bumper", 0, SensorType.EV3_TOUCH,
+                    new Point2(0.05, 0), 0, 0.03, List.of(), Optional.empty()));
+            return new RobotModel(plain.name(), plain.chassis(), plain.massKilograms(), plain.wheels(), plain.casters(),
+                    plain.sensors(), !turret ? List.of()
+                    : List.of(new RobotModel.Turret("turret", 0, MotorType.MEDIUM, 1, false, new Point2(-0.05, 0),
                             List.of(TestWorlds.box(-0.06, -0.02, 0.0, 0.02)))), List.of(), "");
         }
 
@@ -83,19 +87,24 @@ class LeanWorldTest {
             robots.forEach(robot -> robot.finish(STEP_SECONDS));
         }
 
-        /** All there is to know of the bodies; the number of contacts tells whether the boxes of the broad phase are the same. */
+        /**
+         * All there is to know of the bodies; the number of contacts tells whether the boxes of the broad phase are the
+         * same.
+         */
         List<Object> state() {
             List<Object> state = new ArrayList<>();
             for (Body body = world.getBodyList(); body != null; body = body.m_next) {
-                state.add(List.of(body.m_xf.p.x, body.m_xf.p.y, body.m_sweep.a, body.m_linearVelocity.x, body.m_linearVelocity.y, body.m_angularVelocity,
-                        body.isAwake(), body.m_sleepTime));
+                state.add(List.of(body.m_xf.p.x, body.m_xf.p.y, body.m_sweep.a, body.m_linearVelocity.x,
+                        body.m_linearVelocity.y, body.m_angularVelocity, body.isAwake(), body.m_sleepTime));
             }
             state.add(world.getContactCount());
             return state;
         }
     }
 
-    @ParameterizedTest @ValueSource(longs = {1, 2, 3}) void aStepGivesTheSameBitsAsJBox2Ds(long seed) {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void aStepGivesTheSameBitsAsJBox2Ds(long seed) {
         Scene lean = new Scene(new LeanWorld(), seed);
         Scene full = new Scene(new World(new Vec2(0, 0), new DefaultWorldPool(100, 10), new LazyTree()), seed);
         int touching = 0;

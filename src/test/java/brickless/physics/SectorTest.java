@@ -36,14 +36,16 @@ class SectorTest {
         Body ground = world.createBody(new BodyDef());
         for (int i = 0; i < 40; i++) {
             Obstacle box = TestWorlds.crate("box" + i, even(-2, 2), even(-2, 2), even(0.01, 0.4), 1);
-            obstacles.add(new ObstacleBody(world, ground, new Obstacle(box.id(), box.outlines(), i % 2 == 0, 1, i % 3 == 0 ? 0.03 : 0.1, 0.5, false,
+            obstacles.add(new ObstacleBody(world, ground,
+                    new Obstacle(box.id(), box.outlines(), i % 2 == 0, 1, i % 3 == 0 ? 0.03 : 0.1, 0.5, false,
                     box.colour())));
             if (i % 4 == 0) {
                 obstacles.get(i).place(new Pose2(even(-2, 2), even(-2, 2), even(-4, 4)));
             }
         }
         for (int i = 0; i < 3; i++) {
-            Entrant entrant = new Entrant("robot" + i, TestWorlds.educator(), new Pose2(even(-1, 1), even(-1, 1), even(-4, 4)));
+            Entrant entrant = new Entrant("robot" + i, TestWorlds.educator(),
+                    new Pose2(even(-1, 1), even(-1, 1), even(-4, 4)));
             robots.add(new RobotBody(world, ground, entrant, i, false, obstacles.size()));
         }
         world.step(0.002f, 6, 2);
@@ -59,7 +61,8 @@ class SectorTest {
         aim.headingRadians = even(-20, 20);
     }
 
-    @Test void everyRayMeetsWhatJBox2DMeets() {
+    @Test
+    void everyRayMeetsWhatJBox2DMeets() {
         int met = 0;
         for (int place = 0; place < PLACES; place++) {
             aimAnywhere();
@@ -83,7 +86,8 @@ class SectorTest {
         float[] best = {Float.POSITIVE_INFINITY};
         double heading = aim.headingRadians + turn;
         Vec2 from = new Vec2(Decimetres.of(aim.x), Decimetres.of(aim.y));
-        Vec2 to = new Vec2(Decimetres.of(aim.x + StrictMath.cos(heading) * reach), Decimetres.of(aim.y + StrictMath.sin(heading) * reach));
+        Vec2 to = new Vec2(Decimetres.of(aim.x + StrictMath.cos(heading) * reach),
+                Decimetres.of(aim.y + StrictMath.sin(heading) * reach));
         world.raycast((fixture, point, normal, fraction) -> {
             Object solid = fixture.getBody().getUserData();
             if (solid == own || solid instanceof ObstacleBody obstacle && obstacle.description().heightMetres() < LOW) {
@@ -95,7 +99,8 @@ class SectorTest {
         return best[0] * reach;
     }
 
-    @Test void everySlenderObstacleWhoseMiddleMayBeInTheSectorIsListedOnce() {
+    @Test
+    void everySlenderObstacleWhoseMiddleMayBeInTheSectorIsListedOnce() {
         for (int place = 0; place < PLACES; place++) {
             aimAnywhere();
             double half = even(0, 0.5);
@@ -107,8 +112,10 @@ class SectorTest {
             for (int i = 0; i < sector.obstacles(); i++) {
                 listed.add(sector.obstacle(i));
             }
-            assertThat(listed).as("place %d", place).doesNotHaveDuplicates().allMatch(obstacle -> obstacle.radiusMetres() < slender);
-            assertThat(listed).as("place %d", place).containsAll(obstacles.stream().filter(obstacle -> obstacle.radiusMetres() < slender)
+            assertThat(listed).as("place %d", place).doesNotHaveDuplicates()
+                    .allMatch(obstacle -> obstacle.radiusMetres() < slender);
+            assertThat(listed).as("place %d", place)
+                    .containsAll(obstacles.stream().filter(obstacle -> obstacle.radiusMetres() < slender)
                     .filter(obstacle -> inSector(obstacle, half, reach)).toList());
         }
     }
@@ -120,15 +127,17 @@ class SectorTest {
         return Math.abs(bearing) <= half && StrictMath.hypot(dx, dy) <= reach + obstacle.radiusMetres();
     }
 
-    @Test void anObstacleOfManyShapesIsListedOnce() {
+    @Test
+    void anObstacleOfManyShapesIsListedOnce() {
         List<Point2> star = new ArrayList<>();
         for (int i = 0; i < 14; i++) {
             double radius = i % 2 == 0 ? 0.05 : 0.02;
-            star.add(new Point2(5 + radius * StrictMath.cos(i * StrictMath.PI / 7), radius * StrictMath.sin(i * StrictMath.PI / 7)));
+            star.add(new Point2(5 + radius * StrictMath.cos(i * StrictMath.PI / 7),
+                    radius * StrictMath.sin(i * StrictMath.PI / 7)));
         }
         Body ground = world.createBody(new BodyDef());
-        ObstacleBody post = new ObstacleBody(world, ground, new Obstacle("post", List.of(star), false, 0, 0.1, 0.5, false,
-                new Rgb(0, 0, 0)));
+        ObstacleBody post = new ObstacleBody(world, ground,
+                new Obstacle("post", List.of(star), false, 0, 0.1, 0.5, false, new Rgb(0, 0, 0)));
         aim.x = 4.5;
         sector.see(0, null);
         sector.face(aim, 1, 0, 1, 0.1);

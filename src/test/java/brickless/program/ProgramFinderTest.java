@@ -79,28 +79,33 @@ class ProgramFinderTest {
         write("club/src/a/Broken.java", "package a; class Broken { int i = \"text\"; /* static void main( */ }");
     }
 
-    @Test void aProgramBesideABrokenFileIsCompiledAlone() throws Exception {
+    @Test
+    void aProgramBesideABrokenFileIsCompiledAlone() throws Exception {
         writeFolderWithAnError();
         try (Program program = find("club")) {
             assertThat(program.mainClass()).isEqualTo("a.Race");
             assertThat(program.classPath().get(0).resolve("a/Part.class")).exists();
             assertThat(program.remark()).hasValueSatisfying(remark -> assertThat(remark)
-                    .startsWith("compiled without the rest of club, which has errors: ").contains("Broken.java:1: error: incompatible types"));
+                    .startsWith("compiled without the rest of club, which has errors: ")
+                    .contains("Broken.java:1: error: incompatible types"));
         }
     }
 
-    @Test void besideABrokenFileAMainClassCanBeChosen() throws Exception {
+    @Test
+    void besideABrokenFileAMainClassCanBeChosen() throws Exception {
         writeFolderWithAnError();
         write("club/src/b/Race.java", "package b; public class Race { public static void main(String[] a) { } }");
         assertThatThrownBy(() -> find("club")).isInstanceOf(ProgramException.class)
-                .hasMessageContaining("Broken.java:1: error: ").hasMessageEndingWith("choose a main class with --main: a.Race, b.Race");
+                .hasMessageContaining("Broken.java:1: error: ")
+                .hasMessageEndingWith("choose a main class with --main: a.Race, b.Race");
         try (Program program = new ProgramFinder(folder, List.of(), Optional.of("b.Race")).find("club")) {
             assertThat(program.classPath().get(0).resolve("b/Race.class")).exists();
             assertThat(program.classPath().get(0).resolve("a/Race.class")).doesNotExist();
         }
     }
 
-    @Test void twoProgramsWithClassesOfTheSameNameCanBeChosenBetween() throws Exception {
+    @Test
+    void twoProgramsWithClassesOfTheSameNameCanBeChosenBetween() throws Exception {
         write("club/one/One.java", "class Part { void use() { } } public class One" + MAIN);
         write("club/two/Two.java", "class Part { void use() { } } public class Two" + MAIN);
         try (Program program = new ProgramFinder(folder, List.of(), Optional.of("Two")).find("club")) {
@@ -108,12 +113,15 @@ class ProgramFinderTest {
         }
     }
 
-    @Test void ifTheOnlyProgramIsBrokenItsErrorsAreTold() throws IOException {
+    @Test
+    void ifTheOnlyProgramIsBrokenItsErrorsAreTold() throws IOException {
         write("club/Race.java", "public class Race { public static void main(String[] a) { drive(); } }");
-        assertThatThrownBy(() -> find("club")).isInstanceOf(ProgramException.class).hasMessageContaining("Race.java:1: error: ").hasMessageContaining("drive");
+        assertThatThrownBy(() -> find("club")).isInstanceOf(ProgramException.class)
+                .hasMessageContaining("Race.java:1: error: ").hasMessageContaining("drive");
     }
 
-    @Test void jarsInTheFolderAreLibraries() throws Exception {
+    @Test
+    void jarsInTheFolderAreLibraries() throws Exception {
         write("library/tools/Tool.java", "package tools; public class Tool { }");
         compile(folder.resolve("library"), "library/tools/Tool.java");
         write("club/src/Race.java", "public class Race { public static void main(String[] a) { new tools.Tool(); } }");
@@ -134,28 +142,37 @@ class ProgramFinderTest {
     }
 
     private void compile(Path target, String source, String... options) {
-        List<String> words = new ArrayList<>(List.of("--release", "8", "-nowarn", "-Xlint:-options", "-d", target.toString()));
+        List<String> words = new ArrayList<>(
+                List.of("--release", "8", "-nowarn", "-Xlint:-options", "-d", target.toString()));
         words.addAll(List.of(options));
         words.add(folder.resolve(source).toString());
         assertThat(ToolProvider.getSystemJavaCompiler().run(null, null, null, words.toArray(String[]::new))).isZero();
     }
 
-    @Test void aMissingLibraryIsToldOnce() throws IOException {
-        write("Race.java", "import org.far.away.Thing; import org.far.away.more.*;\npublic class Race { Thing thing; public static void main(String[] a) { } }");
+    @Test
+    void aMissingLibraryIsToldOnce() throws IOException {
+        write("Race.java", "import org.far.away.Thing; import org.far.away.more.*;\npublic class Race { Thing thing; "
+                + "public static void main(String[] a) { } }");
         assertThatThrownBy(() -> find("Race.java")).hasMessageContaining("error: package org.far.away does not exist")
-                .hasMessageContaining("Not found: org.far.away, org.far.away.more. Give the folder").hasMessageEndingWith("--classpath.");
+                .hasMessageContaining("Not found: org.far.away, org.far.away.more. Give the folder")
+                .hasMessageEndingWith("--classpath.");
     }
 
-    @Test void aProgramForTheNxtIsToldSo() throws IOException {
-        write("Race.java", "import lejos.nxt.Motor; import lejos.util.Delay;\npublic class Race { public static void main(String[] a) { Motor.A.forward(); } }");
-        assertThatThrownBy(() -> find("Race.java")).hasMessageContaining("It is written for leJOS on the NXT or RCX; Brickless runs programs for leJOS EV3")
+    @Test
+    void aProgramForTheNxtIsToldSo() throws IOException {
+        write("Race.java", "import lejos.nxt.Motor; import lejos.util.Delay;\npublic class Race { public static void "
+                + "main(String[] a) { Motor.A.forward(); } }");
+        assertThatThrownBy(() -> find("Race.java")).hasMessageContaining(
+                "It is written for leJOS on the NXT or RCX; Brickless runs programs for leJOS EV3")
                 .satisfies(failure -> assertThat(failure.getMessage().split("It is written")).hasSize(2));
     }
 
-    @Test void aClassOfLejosThatIsNotHereIsNamedInFull() throws IOException {
+    @Test
+    void aClassOfLejosThatIsNotHereIsNamedInFull() throws IOException {
         write("Race.java", "import lejos.hardware.sensor.HiTechnicGyro; import lejos.hardware.gps.GPS;\n"
                 + "public class Race { HiTechnicGyro gyro; public static void main(String[] a) { } }");
         assertThatThrownBy(() -> find("Race.java"))
-                .hasMessageContaining("Not in Brickless' leJOS: lejos.hardware.gps, lejos.hardware.sensor.HiTechnicGyro. sim/docs/COMPATIBILITY.md");
+                .hasMessageContaining("Not in Brickless' leJOS: lejos.hardware.gps, "
+                        + "lejos.hardware.sensor.HiTechnicGyro. sim/docs/COMPATIBILITY.md");
     }
 }

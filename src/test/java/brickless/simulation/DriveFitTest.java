@@ -21,12 +21,14 @@ class DriveFitTest {
         assertThat(TyreSize.millimetresPerUnit(diameter)).isEqualTo(millimetres);
     }
 
-    @Test void aTrackThatIsTooWideInOneUnitRulesThatUnitOut() {
+    @Test
+    void aTrackThatIsTooWideInOneUnitRulesThatUnitOut() {
         HardwareHints hints = new HardwareHints(List.of(), List.of(), List.of(
                 new HardwareHints.Wheel("B", 3.28, OptionalDouble.empty(), OptionalDouble.of(19), 1, ""),
                 new HardwareHints.Wheel("A", 3.28, OptionalDouble.empty(), OptionalDouble.of(19), 1, "")));
         DriveFit fit = DriveFit.of(hints);
-        assertThat(fit.left().diameterMillimetres()).as("83 mm in inches, but then the axle had half a metre").isCloseTo(32.8, within(1e-9));
+        assertThat(fit.left().diameterMillimetres()).as("83 mm in inches, but then the axle had half a metre")
+                .isCloseTo(32.8, within(1e-9));
         assertThat(fit.trackMillimetres()).isCloseTo(190, within(1e-9));
     }
 

@@ -38,7 +38,8 @@ public final class KernelCost implements Measurement {
                 .withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
         ProgramLoaders loaders = new ProgramLoaders(ProgramLoaders.Sharing.NONE);
-        RobotRealm realm = new RobotRealm(loaders.contexts(List.of(program)).get(0), program.mainClass(), kernel, robot.brick(robot.console()), Optional.empty());
+        RobotRealm realm = new RobotRealm(loaders.contexts(List.of(program)).get(0), program.mainClass(), kernel,
+                robot.brick(robot.console()), Optional.empty());
         stage.begin();
         long process = processNanos();
         long wall = System.nanoTime();

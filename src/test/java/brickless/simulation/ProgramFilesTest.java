@@ -28,6 +28,7 @@ import programs.files.Gifts;
 import programs.files.OddNames;
 import programs.files.OtherPrograms;
 import programs.files.PathsTour;
+import programs.files.Picture;
 import programs.files.RandomAccess;
 import programs.files.StreamsTour;
 
@@ -37,6 +38,9 @@ class ProgramFilesTest {
     private static final List<Path> NAMES_OF_THE_PROGRAMS =
             Stream.of("drive.log", "a.txt", "data.bin", "log.txt", "table.bin", "host.txt", "new.txt",
             "small", "Case").map(Path::of).toList();
+
+    private static final String REFUSED = "this class of the JDK opens files by itself, which it cannot on a simulated "
+            + "brick; give it a stream, or use another class";
 
     @TempDir Path folder;
     @TempDir Path gifts;
@@ -75,11 +79,13 @@ class ProgramFilesTest {
         }
     }
 
-    @AfterEach void nothingWasWrittenWhereTheTestsRun() {
+    @AfterEach
+    void nothingWasWrittenWhereTheTestsRun() {
         assertThat(NAMES_OF_THE_PROGRAMS).noneMatch(Files::exists);
     }
 
-    @Test void streamsReadersAndWritersFindWhatWasWritten() throws DescriptionException {
+    @Test
+    void streamsReadersAndWritersFindWhatWasWritten() throws DescriptionException {
         assertThat(printedBy(StreamsTour.class)).containsExactly("available 22", "1234567 2.5 été", "rest 789-1",
                 "skipped 12, then 0, left 9",
                 "bytes 11 1", "1.3 ä|3.5|null", "1.3 ä 3.5", "ä", "printed, 4 of five", "[3, 1, 4] pi",
@@ -90,7 +96,8 @@ class ProgramFilesTest {
                 "to the console", "1;2.5;x");
     }
 
-    @Test void foldersAreListedInOrderAndDatesAreTheProgramsOwn() throws DescriptionException {
+    @Test
+    void foldersAreListedInOrderAndDatesAreTheProgramsOwn() throws DescriptionException {
         assertThat(printedBy(FolderTour.class)).containsExactly("sub/../log.txt log.txt sub/.. false",
                 "/home/lejos/programs/sub/../log.txt /home/lejos/programs/log.txt", "false true",
                 "file:/home/lejos/programs/a true",
@@ -103,7 +110,8 @@ class ProgramFilesTest {
                 "false true false", "true true false", "No such file or directory");
     }
 
-    @Test void pathsLeadToTheSameFiles() throws DescriptionException {
+    @Test
+    void pathsLeadToTheSameFiles() throws DescriptionException {
         assertThat(printedBy(PathsTour.class)).containsExactly("[one, zwölf, three] 17", "[written] written",
                 "onezwölf",
                 "/home/lejos/programs/log.txt true true", "a a/b a/b/c a/b/c/y.csv a/b/c/z.txt a/b/x.txt",
@@ -114,25 +122,35 @@ class ProgramFilesTest {
                 "false false", "true");
     }
 
-    @Test void randomAccessFilesAreReadAndWrittenAnywhere() throws DescriptionException {
+    @Test
+    void randomAccessFilesAreReadAndWrittenAnywhere() throws DescriptionException {
         assertThat(printedBy(RandomAccess.class)).containsExactly("9 1.5 at 48 of 60", "-1 44 line next ü xy -1",
                 "6 0", "end of file",
                 "IOException", "absent (No such file or directory)");
     }
 
-    @Test void aFullCardIsAnError() throws DescriptionException {
+    @Test
+    void aFullCardIsAnError() throws DescriptionException {
         assertThat(printedBy(FullCard.class)).containsExactly("64 No space left on device 0", "true 64");
     }
 
-    @Test void otherProgramsAndFilesOfTheHostAreOutOfReach() throws DescriptionException {
+    @Test
+    void otherProgramsAndFilesOfTheHostAreOutOfReach() throws DescriptionException {
         assertThat(printedBy(OtherPrograms.class))
                 .containsExactly("Cannot run program \"touch\": error=2, No such file or directory",
                 "Cannot run program \"touch\": error=2, No such file or directory",
-                "x.zip: this class of the JDK opens files by itself, which it cannot on a simulated brick; give it a "
-                + "stream, if it takes one");
+                REFUSED, REFUSED, REFUSED, REFUSED);
     }
 
-    @Test void everyRunHasAFreshBrick() throws DescriptionException {
+    @Test
+    void picturesAreFilesOfTheBrick() throws DescriptionException {
+        Run run = run(Picture.class, settings().build());
+        assertThat(run.robot().printedLines()).containsExactly("true 3 by 2, red ff0000");
+        assertThat(run.robot().filesWritten()).containsExactly("picture.png");
+    }
+
+    @Test
+    void everyRunHasAFreshBrick() throws DescriptionException {
         Run first = run(AppendingLogger.class, settings().build());
         Run second = run(AppendingLogger.class, settings().build());
         assertThat(first.robot().printedLines()).containsExactly("lines 1");
@@ -141,7 +159,8 @@ class ProgramFilesTest {
         assertThat(second.robot().fileText("drive.log")).isEqualTo(first.robot().fileText("drive.log"));
     }
 
-    @Test void allRunsOfASimulationHaveFreshBricks() throws DescriptionException {
+    @Test
+    void allRunsOfASimulationHaveFreshBricks() throws DescriptionException {
         Simulation simulation = new Simulation(settings().build());
         for (int i = 0; i < 3; i++) {
             Run run = simulation.start(AppendingLogger.class);
@@ -150,7 +169,8 @@ class ProgramFilesTest {
         }
     }
 
-    @Test void whatWasWrittenIsInTheFolderOfTheRun() throws DescriptionException, IOException {
+    @Test
+    void whatWasWrittenIsInTheFolderOfTheRun() throws DescriptionException, IOException {
         Run run = run(AppendingLogger.class, settings().build());
         assertThat(inFolder("files")).containsExactly("drive.log");
         assertThat(folder.resolve("run/files/drive.log")).hasContent(run.robot().fileText("drive.log"));
@@ -163,7 +183,8 @@ class ProgramFilesTest {
                 + "\tfiles/drive.log\n");
     }
 
-    @Test void aFileIsSeenWhileTheRunIsHeld() throws DescriptionException {
+    @Test
+    void aFileIsSeenWhileTheRunIsHeld() throws DescriptionException {
         try (Run run = new Simulation(settings().build()).start(AppendingLogger.class)) {
             assertThat(run.robot().filesWritten()).isEmpty();
             assertThatThrownBy(() -> run.robot().fileText("drive.log")).isInstanceOf(IllegalArgumentException.class)
@@ -174,7 +195,8 @@ class ProgramFilesTest {
         }
     }
 
-    @Test void filesOfAnEarlierRunGoWithItsOtherFiles() throws DescriptionException, IOException {
+    @Test
+    void filesOfAnEarlierRunGoWithItsOtherFiles() throws DescriptionException, IOException {
         run(FolderTour.class, settings().build());
         assertThat(inFolder("files")).containsExactly("brick/home/root/other.txt", "brick/tmp/tmp2.tmp");
         Path own = Files.writeString(folder.resolve("run/files/notes-of-the-user.txt"), "keep");
@@ -188,7 +210,8 @@ class ProgramFilesTest {
         assertThat(folder.resolve("run/files.tsv")).doesNotExist();
     }
 
-    @Test void oddNamesBecomeNamesThatEveryHostCanHave() throws DescriptionException, IOException {
+    @Test
+    void oddNamesBecomeNamesThatEveryHostCanHave() throws DescriptionException, IOException {
         Run run = run(OddNames.class, settings().build());
         assertThat(run.robot().filesWritten()).hasSize(9).contains("C:\\log?.txt", "größe.txt", "/tmp/x", "tab\there");
         assertThat(inFolder("files")).hasSize(9).contains("brick/tmp/x", "C__log_.txt", "C__log_.txt~2", "tab_here")
@@ -196,7 +219,8 @@ class ProgramFilesTest {
         assertThat(run.report().notes().toString()).contains("/tmp/x (1 bytes)");
     }
 
-    @Test void twoRobotsWriteFilesOfTheSameName() throws DescriptionException, IOException {
+    @Test
+    void twoRobotsWriteFilesOfTheSameName() throws DescriptionException, IOException {
         World world = SvgWorldReader.readText("two.svg",
                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 2000 2000'>"
                 + "<g data-robot='left' transform='translate(500 500)'/>"
@@ -210,7 +234,8 @@ class ProgramFilesTest {
         assertThat(inFolder("files-right")).containsExactly("drive.log");
     }
 
-    @Test void filesOfTheUserLieOnTheBrickAndAreNotChanged() throws DescriptionException, IOException {
+    @Test
+    void filesOfTheUserLieOnTheBrickAndAreNotChanged() throws DescriptionException, IOException {
         Files.writeString(gifts.resolve("greeting.txt"), "hello\n");
         Files.writeString(gifts.resolve("unwanted.txt"), "x");
         Files.createDirectories(gifts.resolve("maps"));
@@ -225,14 +250,16 @@ class ProgramFilesTest {
         assertThat(run.robot().fileText("maps/room.svg")).isEqualTo("<svg/>");
     }
 
-    @Test void aLogOfTheUserGoesOn() throws DescriptionException, IOException {
+    @Test
+    void aLogOfTheUserGoesOn() throws DescriptionException, IOException {
         Files.writeString(gifts.resolve("drive.log"), "1\n2\n");
         Run run = run(AppendingLogger.class, settings().files(Optional.of(gifts)).build());
         assertThat(run.robot().printedLines()).containsExactly("lines 3");
         assertThat(gifts.resolve("drive.log")).hasContent("1\n2\n");
     }
 
-    @Test void filesBesideTheProgramAreThere() throws DescriptionException, IOException, ProgramException {
+    @Test
+    void filesBesideTheProgramAreThere() throws DescriptionException, IOException, ProgramException {
         Path programs = Files.createDirectories(folder.resolve("programs"));
         Files.writeString(programs.resolve("Reader.java"), """
                 public class Reader {
@@ -259,7 +286,8 @@ class ProgramFilesTest {
         }
     }
 
-    @Test void aFolderForTheBrickMustBeOneAndNotThatOfTheRun() throws DescriptionException, IOException {
+    @Test
+    void aFolderForTheBrickMustBeOneAndNotThatOfTheRun() throws DescriptionException, IOException {
         Path absent = gifts.resolve("absent");
         assertThatThrownBy(() -> new Simulation(settings().files(Optional.of(absent)).build()).start(Gifts.class))
                 .isInstanceOf(SetupException.class).hasMessage(absent
@@ -273,7 +301,8 @@ class ProgramFilesTest {
                 + ": lies in the folder that this run writes");
     }
 
-    @Test void resultsOfEarlierRunsAreNotPutOnTheBrick() throws DescriptionException, IOException {
+    @Test
+    void resultsOfEarlierRunsAreNotPutOnTheBrick() throws DescriptionException, IOException {
         Files.writeString(folder.resolve("greeting.txt"), "hello");
         SimulationSettings settings = settings().files(Optional.of(folder)).build();
         List<String> hashes = new ArrayList<>();

@@ -61,7 +61,8 @@ class ReusedLoadersTest {
         assertThat(IDLE.reused() - before).as("runs in used classes").isGreaterThan(mains.size());
     }
 
-    private static RunReport run(ExamplePrograms programs, String main, BackendChoice backend) throws DescriptionException {
+    private static RunReport run(ExamplePrograms programs, String main, BackendChoice backend)
+            throws DescriptionException {
         return run(programs.program(main), ExamplePrograms.settings(ExamplePrograms.worldOf(main)).backend(backend)
                 .scheduleSeed(OptionalLong.of(3)).limit(Duration.ofSeconds(SECONDS)).build());
     }

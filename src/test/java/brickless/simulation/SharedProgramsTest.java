@@ -32,7 +32,8 @@ class SharedProgramsTest {
     @Test
     void tracesAreTheSameOnThreads() {
         String name = "programs.speed.Bumper";
-        assertThat(trace(settings(BackendChoice.THREADS), name, true)).isEqualTo(trace(settings(BackendChoice.AUTO), name, false));
+        assertThat(trace(settings(BackendChoice.THREADS), name, true))
+                .isEqualTo(trace(settings(BackendChoice.AUTO), name, false));
     }
 
     @Test
@@ -40,7 +41,8 @@ class SharedProgramsTest {
         try (ProgramLoaders loaders = new ProgramLoaders(Sharing.IN_THE_RUN)) {
             Program bumper = Program.onClassPath("programs.speed.Bumper");
             Program courier = Program.onClassPath("programs.speed.Courier");
-            assertThat(loaders.contexts(List.of(bumper, courier, bumper)).stream().map(robot -> robot.loader()).distinct()).hasSize(1);
+            assertThat(loaders.contexts(List.of(bumper, courier, bumper)).stream().map(robot -> robot.loader())
+                    .distinct()).hasSize(1);
         }
     }
 
@@ -48,13 +50,14 @@ class SharedProgramsTest {
     void aProgramThatCouldNoticeIsNotShared() {
         try (ProgramLoaders loaders = new ProgramLoaders(Sharing.IN_THE_RUN)) {
             Program program = Program.onClassPath("programs.passing.initialisers.EnumConstants");
-            assertThat(loaders.contexts(List.of(program, program)).stream().map(robot -> robot.loader()).distinct()).hasSize(2);
+            assertThat(loaders.contexts(List.of(program, program)).stream().map(robot -> robot.loader())
+                    .distinct()).hasSize(2);
         }
     }
 
     private static SimulationSettings settings(BackendChoice backend) {
-        return SimulationSettings.builder(new RobotGrid(ROBOTS).world()).robot(RobotGrid.model()).limit(Duration.ofSeconds(10))
-                .backend(backend).build();
+        return SimulationSettings.builder(new RobotGrid(ROBOTS).world()).robot(RobotGrid.model())
+                .limit(Duration.ofSeconds(10)).backend(backend).build();
     }
 
     private static String trace(SimulationSettings settings, String program, boolean sharing) {

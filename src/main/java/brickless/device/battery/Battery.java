@@ -37,15 +37,18 @@ public final class Battery implements PowerSocket {
         drawnAmperes = Math.max(0, IDLE_AMPERES + fromBatteryAmperes);
     }
 
-    @Override public float voltageVolts() {
+    @Override
+    public float voltageVolts() {
         return (float) terminalVolts();
     }
 
-    @Override public float batteryCurrentAmperes() {
+    @Override
+    public float batteryCurrentAmperes() {
         return (float) drawnAmperes;
     }
 
-    @Override public float motorCurrentAmperes() {
+    @Override
+    public float motorCurrentAmperes() {
         return (float) motorAmperes;
     }
 }

@@ -82,15 +82,18 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     // ---- what programs call ----
 
-    @Override public void drive(int dutyPercent) {
+    @Override
+    public void drive(int dutyPercent) {
         command(Math.max(-100, Math.min(100, dutyPercent)), false);
     }
 
-    @Override public void brake() {
+    @Override
+    public void brake() {
         command(0, false);
     }
 
-    @Override public void coast() {
+    @Override
+    public void coast() {
         command(0, true);
     }
 
@@ -118,14 +121,16 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         }
     }
 
-    @Override public int tachoDegrees() {
+    @Override
+    public int tachoDegrees() {
         processor.charge(Costs.MOTOR_READ_NANOS);
         synchronized (lock) {
             return encoder();
         }
     }
 
-    @Override public void resetTacho() {
+    @Override
+    public void resetTacho() {
         processor.charge(Costs.MOTOR_READ_NANOS);
         synchronized (lock) {
             int shift = encoder();
@@ -134,33 +139,39 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         }
     }
 
-    @Override public MotorRegulation regulation() {
+    @Override
+    public MotorRegulation regulation() {
         return this;
     }
 
-    @Override public String connected() {
+    @Override
+    public String connected() {
         return type == null ? "none" : type.title();
     }
 
-    @Override public void expect(String lejosClass) {
+    @Override
+    public void expect(String lejosClass) {
         fitting.expected(this, lejosClass);
     }
 
-    @Override public void release() {
+    @Override
+    public void release() {
         applyDirectly(0, true);
         synchronized (lock) {
             regulator.forget();
         }
     }
 
-    @Override public void configure(RegulationTuning tuning) {
+    @Override
+    public void configure(RegulationTuning tuning) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         synchronized (lock) {
             regulator.configure(tuning);
         }
     }
 
-    @Override public void move(MoveRequest request) {
+    @Override
+    public void move(MoveRequest request) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         start(request);
     }
@@ -181,7 +192,8 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         }
     }
 
-    @Override public void adjustSpeed(float degreesPerSecond) {
+    @Override
+    public void adjustSpeed(float degreesPerSecond) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         long now = processor.nowNanos();
         synchronized (lock) {
@@ -192,7 +204,8 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         }
     }
 
-    @Override public void adjustAcceleration(int degreesPerSecondSquared) {
+    @Override
+    public void adjustAcceleration(int degreesPerSecondSquared) {
         processor.charge(Costs.MOTOR_COMMAND_NANOS);
         long now = processor.nowNanos();
         synchronized (lock) {
@@ -203,18 +216,21 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
         }
     }
 
-    @Override public void setStallThreshold(int errorDegrees, int timeMillis) {
+    @Override
+    public void setStallThreshold(int errorDegrees, int timeMillis) {
         synchronized (lock) {
             regulator.setStallThreshold(errorDegrees, timeMillis);
         }
     }
 
-    @Override public MotorSnapshot snapshot() {
+    @Override
+    public MotorSnapshot snapshot() {
         processor.charge(Costs.MOTOR_READ_NANOS);
         return observe();
     }
 
-    @Override public void awaitStandstill() {
+    @Override
+    public void awaitStandstill() {
         processor.charge(Costs.MOTOR_READ_NANOS);
         standstill.awaitWhile(this::moving);
     }
@@ -263,7 +279,8 @@ public final class MotorDevice implements MotorSocket, MotorRegulation {
 
     /** Whether the motor neither turns nor is driven; holding a position without load counts as rest. */
     public boolean rests() {
-        return Math.abs(shaftDegreesPerSecond()) < RESTING_DEGREES_PER_SECOND && Math.abs(dutyPercent()) < RESTING_DUTY_PERCENT;
+        return Math.abs(shaftDegreesPerSecond()) < RESTING_DEGREES_PER_SECOND
+                && Math.abs(dutyPercent()) < RESTING_DUTY_PERCENT;
     }
 
     /** Winding current, amperes, signed. */

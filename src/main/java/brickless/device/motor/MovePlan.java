@@ -12,8 +12,8 @@ import brickless.hardware.MoveRequest;
 final class MovePlan {
     private static final float MILLIS = 1000;
     /**
-     * An acceleration of 0 counts as this, degrees per second squared: a holonomic chassis gives it to wheels that are to
-     * stand still.
+     * An acceleration of 0 counts as this, degrees per second squared: a holonomic chassis gives it to wheels that are
+     * to stand still.
      */
     private static final float LEAST_ACCELERATION = 1;
 

@@ -4,7 +4,9 @@ import java.util.Arrays;
 
 /** Keeps account of the keys that the program asks for again and again, without waiting for them. */
 final class KeyQuestions {
-    /** Longest pause between two looks at a key that still counts as asking on: loops that show a value each second. Assumption. */
+    /**
+     * Longest pause between two looks that still counts as asking on: loops that show a value each second. Assumption.
+     */
     static final long BRIDGED_PAUSE_NANOS = 1_500_000_000;
 
     private static final int KEYS = 6;

@@ -15,7 +15,8 @@ final class AnalogPins implements AnalogChannel {
         this.port = port;
     }
 
-    @Override public double pin1Volts() {
+    @Override
+    public double pin1Volts() {
         port.charge(Costs.SENSOR_READ_NANOS);
         long now = port.nowNanos();
         synchronized (port.lock()) {
@@ -23,7 +24,8 @@ final class AnalogPins implements AnalogChannel {
         }
     }
 
-    @Override public double pin6Volts() {
+    @Override
+    public double pin6Volts() {
         port.charge(Costs.SENSOR_READ_NANOS);
         long now = port.nowNanos();
         synchronized (port.lock()) {
@@ -35,7 +37,8 @@ final class AnalogPins implements AnalogChannel {
         return Math.round(volts / REFERENCE_VOLTS * LARGEST_COUNT) / LARGEST_COUNT * REFERENCE_VOLTS;
     }
 
-    @Override public boolean setType(int type) {
+    @Override
+    public boolean setType(int type) {
         port.charge(Costs.SENSOR_READ_NANOS);
         if (type < 0 || type == 12 || type > 17) {
             return false;
@@ -49,7 +52,8 @@ final class AnalogPins implements AnalogChannel {
         return true;
     }
 
-    @Override public float[] colourVolts() {
+    @Override
+    public float[] colourVolts() {
         port.charge(Costs.SENSOR_READ_NANOS);
         long now = port.nowNanos();
         synchronized (port.lock()) {

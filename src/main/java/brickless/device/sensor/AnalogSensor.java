@@ -14,7 +14,8 @@ abstract class AnalogSensor extends SensorModel {
         super(site);
     }
 
-    @Override final Wiring wiring() {
+    @Override
+    final Wiring wiring() {
         return Wiring.ANALOG;
     }
 

@@ -85,7 +85,8 @@ final class ColourEye {
     /** What it looks at, with its colour if the sensor is on. */
     SensorSpot spot(boolean on) {
         look();
-        Optional<Rgb> colour = on && !floorless ? Optional.of(new Rgb(drawn(red), drawn(green), drawn(blue))) : Optional.empty();
+        Optional<Rgb> colour = on && !floorless ? Optional.of(new Rgb(drawn(red), drawn(green), drawn(blue)))
+                : Optional.empty();
         return new SensorSpot(new Point2(x, y), radius, colour);
     }
 

@@ -44,7 +44,8 @@ final class ColourSensor extends UartSensor {
         eye = new ColourEye(site);
     }
 
-    @Override void message(long nowNanos, byte[] out) {
+    @Override
+    void message(long nowNanos, byte[] out) {
         eye.look();
         long update = nowNanos / PERIOD_NANOS;
         switch (mode()) {
@@ -92,7 +93,8 @@ final class ColourSensor extends UartSensor {
         return (int) Math.max(0, Math.min(most, Math.round(value)));
     }
 
-    @Override Optional<SensorSpot> spot() {
+    @Override
+    Optional<SensorSpot> spot() {
         return Optional.of(eye.spot(mode() != DARK));
     }
 }

@@ -40,12 +40,14 @@ final class GyroSensor extends UartSensor implements SelfActing {
     }
 
     /** A rate that is there while calibrating is taken for zero: from then on the angle drifts. */
-    @Override void selected(long nowNanos) {
+    @Override
+    void selected(long nowNanos) {
         angle = 0;
         bias = rate + RESIDUAL_RATE * site().noise().even(nowNanos / PERIOD_NANOS, 8);
     }
 
-    @Override public void afterStep(long nowNanos) {
+    @Override
+    public void afterStep(long nowNanos) {
         double heading = aim().headingRadians;
         double seconds = site().surroundings().arena().stepNanos() / NANOS_PER_SECOND;
         double turned = Angles.degreesFromRadians(heading - lastHeading);
@@ -63,7 +65,8 @@ final class GyroSensor extends UartSensor implements SelfActing {
         return (int) Math.max(-FASTEST, Math.min(FASTEST, Math.round(noisy)));
     }
 
-    @Override void message(long nowNanos, byte[] out) {
+    @Override
+    void message(long nowNanos, byte[] out) {
         switch (mode()) {
             case RATE, FAST -> putShort(out, 0, rateDegreesPerSecond(nowNanos));
             case ANGLE_AND_RATE -> {

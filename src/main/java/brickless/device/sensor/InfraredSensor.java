@@ -50,13 +50,15 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfAct
                 UartMode.slow("IR-REM-A", 1, 2), UartMode.slow("IR-S-ALT", 4, 1), UartMode.slow("IR-CAL", 2, 2));
     }
 
-    @Override void selected(long nowNanos) {
+    @Override
+    void selected(long nowNanos) {
         if (mode() != DARK) {
             measure(nowNanos / PERIOD_NANOS);
         }
     }
 
-    @Override public void afterStep(long nowNanos) {
+    @Override
+    public void afterStep(long nowNanos) {
         long update = nowNanos / PERIOD_NANOS;
         if (mode() != DARK && (update != lastUpdate || site().ideal())) {
             measure(update);
@@ -82,7 +84,8 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfAct
                 Math.min(100, Math.round(100 * nearest / PROXIMITY_REACH + NOISE * site().noise().bell(update, 0))));
     }
 
-    @Override public void met(RayHit thing) {
+    @Override
+    public void met(RayHit thing) {
         nearest = Math.min(nearest, thing.distanceMetres() * darkness(thing));
     }
 
@@ -121,7 +124,8 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfAct
         seek[at + 1] = (byte) Math.max(0, Math.min(100, range));
     }
 
-    @Override Optional<SensorBeam> beam() {
+    @Override
+    Optional<SensorBeam> beam() {
         return switch (mode()) {
             case PROXIMITY -> Optional.of(SensorBeam.of(aim(), fan.turnsRadians(), fan.lengthsMetres(),
                     proximity == 100 ? Double.POSITIVE_INFINITY : proximity * PROXIMITY_REACH / 100));
@@ -133,8 +137,10 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfAct
     /** A ray towards each beacon that is seen, as bearing and distance tell. */
     private SensorBeam towardsBeacons() {
         int[] seen = IntStream.range(0, CHANNELS).filter(channel -> seek[2 * channel + 1] != NO_BEACON).toArray();
-        double[] turns = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel] * FULL_BEARING / LARGEST_HEADING).toArray();
-        double[] lengths = IntStream.of(seen).mapToDouble(channel -> seek[2 * channel + 1] * SEEK_REACH / 100).toArray();
+        double[] turns = IntStream.of(seen)
+                .mapToDouble(channel -> seek[2 * channel] * FULL_BEARING / LARGEST_HEADING).toArray();
+        double[] lengths = IntStream.of(seen)
+                .mapToDouble(channel -> seek[2 * channel + 1] * SEEK_REACH / 100).toArray();
         return SensorBeam.of(aim(), turns, lengths, DoubleStream.of(lengths).min().orElse(Double.POSITIVE_INFINITY));
     }
 
@@ -144,7 +150,8 @@ final class InfraredSensor extends UartSensor implements RayFan.Visitor, SelfAct
         return hit.solid() != null && !hit.solid().name().equals(beacon.id()) && hit.distanceMetres() < distance;
     }
 
-    @Override void message(long nowNanos, byte[] out) {
+    @Override
+    void message(long nowNanos, byte[] out) {
         switch (mode()) {
             case PROXIMITY -> out[0] = (byte) proximity;
             case SEEK -> System.arraycopy(seek, 0, out, 0, seek.length);

@@ -26,19 +26,23 @@ final class NxtColourSensor extends AnalogSensor {
         eye = new ColourEye(site);
     }
 
-    @Override int deviceType() {
+    @Override
+    int deviceType() {
         return DEVICE;
     }
 
-    @Override void setType(int newType) {
+    @Override
+    void setType(int newType) {
         type = newType;
     }
 
-    @Override double pin1Volts(long nowNanos) {
+    @Override
+    double pin1Volts(long nowNanos) {
         return 0;
     }
 
-    @Override float[] colourVolts(long nowNanos) {
+    @Override
+    float[] colourVolts(long nowNanos) {
         eye.look();
         long update = nowNanos / SAMPLE_NANOS;
         double lux = eye.ambientLux();
@@ -66,12 +70,14 @@ final class NxtColourSensor extends AnalogSensor {
         return id == ColourClassifier.BROWN ? ColourClassifier.RED : id;
     }
 
-    @Override double[] reading(long nowNanos) {
+    @Override
+    double[] reading(long nowNanos) {
         eye.look();
         return new double[] {colourId()};
     }
 
-    @Override Optional<SensorSpot> spot() {
+    @Override
+    Optional<SensorSpot> spot() {
         return Optional.of(eye.spot(true));
     }
 }

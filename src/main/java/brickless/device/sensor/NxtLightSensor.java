@@ -23,19 +23,23 @@ final class NxtLightSensor extends AnalogSensor {
         eye = new ColourEye(site);
     }
 
-    @Override int deviceType() {
+    @Override
+    int deviceType() {
         return DEVICE;
     }
 
-    @Override void setType(int type) {
+    @Override
+    void setType(int type) {
         lamp = type == LAMP_ON || type == RCX_LAMP_ON;
     }
 
-    @Override void powerOff() {
+    @Override
+    void powerOff() {
         lamp = false;
     }
 
-    @Override double pin1Volts(long nowNanos) {
+    @Override
+    double pin1Volts(long nowNanos) {
         return PULL_UP_VOLTS * (1 - level(nowNanos));
     }
 
@@ -48,11 +52,13 @@ final class NxtLightSensor extends AnalogSensor {
         return Math.max(0, Math.min(1, clean + NOISE * site().noise().bell(nowNanos / SAMPLE_NANOS, 0)));
     }
 
-    @Override double[] reading(long nowNanos) {
+    @Override
+    double[] reading(long nowNanos) {
         return new double[] {level(nowNanos)};
     }
 
-    @Override Optional<SensorSpot> spot() {
+    @Override
+    Optional<SensorSpot> spot() {
         return Optional.of(eye.spot(true));
     }
 }

@@ -17,15 +17,18 @@ final class NxtSoundSensor extends AnalogSensor {
         super(site);
     }
 
-    @Override int deviceType() {
+    @Override
+    int deviceType() {
         return DEVICE;
     }
 
-    @Override void setType(int type) {
+    @Override
+    void setType(int type) {
         part = type == WEIGHTED ? WEIGHTED_PART : 1;
     }
 
-    @Override double pin1Volts(long nowNanos) {
+    @Override
+    double pin1Volts(long nowNanos) {
         return PULL_UP_VOLTS * (1 - level(nowNanos));
     }
 
@@ -35,7 +38,8 @@ final class NxtSoundSensor extends AnalogSensor {
         return Math.max(0, Math.min(1, part * level + NOISE * site().noise().bell(nowNanos / SAMPLE_NANOS, 0)));
     }
 
-    @Override double[] reading(long nowNanos) {
+    @Override
+    double[] reading(long nowNanos) {
         return new double[] {level(nowNanos)};
     }
 }

@@ -28,7 +28,8 @@ final class NxtUltrasonicSensor extends RegisterSensor implements SelfActing {
         powerOff();
     }
 
-    @Override void powerOff() {
+    @Override
+    void powerOff() {
         setRegister(COMMAND, CONTINUOUS);
         setRegister(INTERVAL, 1);
         for (int i = 0; i < ECHOES; i++) {
@@ -36,7 +37,8 @@ final class NxtUltrasonicSensor extends RegisterSensor implements SelfActing {
         }
     }
 
-    @Override public void afterStep(long nowNanos) {
+    @Override
+    public void afterStep(long nowNanos) {
         long ping = nowNanos / PING_NANOS;
         if (register(COMMAND) == CONTINUOUS && (ping != lastPing || site().ideal())) {
             ping(ping);
@@ -51,11 +53,13 @@ final class NxtUltrasonicSensor extends RegisterSensor implements SelfActing {
         setRegister(DISTANCES, (int) (centimetres > FARTHEST_CM ? NOTHING : Math.max(NEAREST_CM, centimetres)));
     }
 
-    @Override boolean writable(int register) {
+    @Override
+    boolean writable(int register) {
         return register == INTERVAL || register == COMMAND;
     }
 
-    @Override void written(int register, long nowNanos) {
+    @Override
+    void written(int register, long nowNanos) {
         if (register != COMMAND) {
             return;
         }
@@ -67,14 +71,17 @@ final class NxtUltrasonicSensor extends RegisterSensor implements SelfActing {
         }
     }
 
-    @Override Optional<SensorBeam> beam() {
+    @Override
+    Optional<SensorBeam> beam() {
         int centimetres = register(DISTANCES);
         return register(COMMAND) == OFF ? Optional.empty()
-                : Optional.of(beam.seen(site(), centimetres == NOTHING ? Double.POSITIVE_INFINITY : centimetres / 100.0));
+                : Optional.of(beam.seen(site(), centimetres == NOTHING ? Double.POSITIVE_INFINITY
+                        : centimetres / 100.0));
     }
 
     /** Distance in centimetres, 255 for nothing. */
-    @Override double[] reading(long nowNanos) {
+    @Override
+    double[] reading(long nowNanos) {
         return register(COMMAND) == OFF ? new double[0] : new double[] {register(DISTANCES)};
     }
 }

@@ -11,11 +11,13 @@ final class RegisterBus implements I2cChannel {
         this.port = port;
     }
 
-    @Override public void configure(boolean fast, boolean nineVolts) {
+    @Override
+    public void configure(boolean fast, boolean nineVolts) {
         // The models answer at any speed and need no supply.
     }
 
-    @Override public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read,
+    @Override
+    public Status transaction(int address, byte[] write, int writeOffset, int writeLength, byte[] read,
             int readOffset,
             int readLength) {
         port.occupy(Costs.I2C_TRANSACTION_NANOS);

@@ -36,11 +36,13 @@ abstract class RegisterSensor extends SensorModel {
         }
     }
 
-    @Override final Wiring wiring() {
+    @Override
+    final Wiring wiring() {
         return Wiring.I2C;
     }
 
-    @Override final int deviceType() {
+    @Override
+    final int deviceType() {
         return DEVICE;
     }
 

@@ -2,7 +2,10 @@ package brickless.device.sensor;
 
 import java.util.Arrays;
 
-/** The sensors of one robot that follow the arena of their own accord; the others cost nothing in a step. Guarded by the arena's monitor. */
+/**
+ * The sensors of one robot that follow the arena of their own accord; the others cost nothing in a step. Guarded by the
+ * arena's monitor.
+ */
 public final class SelfActingSensors {
     private static final SelfActing[] NONE = {};
 

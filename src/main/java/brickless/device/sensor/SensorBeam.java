@@ -22,7 +22,8 @@ public record SensorBeam(Point2 from, List<Point2> ends, double metres) {
         List<Point2> ends = new ArrayList<>();
         for (int i = 0; i < turns.length; i++) {
             double heading = aim.headingRadians + turns[i];
-            ends.add(new Point2(aim.x + lengths[i] * StrictMath.cos(heading), aim.y + lengths[i] * StrictMath.sin(heading)));
+            ends.add(new Point2(aim.x + lengths[i] * StrictMath.cos(heading),
+                    aim.y + lengths[i] * StrictMath.sin(heading)));
         }
         return new SensorBeam(new Point2(aim.x, aim.y), ends, metres);
     }

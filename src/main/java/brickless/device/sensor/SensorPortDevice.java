@@ -129,35 +129,43 @@ public final class SensorPortDevice implements SensorSocket {
         }
     }
 
-    @Override public Wiring wiring() {
+    @Override
+    public Wiring wiring() {
         return sensor == null ? Wiring.NONE : sensor.wiring();
     }
 
-    @Override public int deviceType() {
+    @Override
+    public int deviceType() {
         return sensor == null ? NOTHING_CONNECTED : sensor.deviceType();
     }
 
-    @Override public String connected() {
+    @Override
+    public String connected() {
         return sensor == null ? "none" : sensor.type().attribute();
     }
 
-    @Override public void expect(String lejosClass) {
+    @Override
+    public void expect(String lejosClass) {
         fitting.expected(this, lejosClass);
     }
 
-    @Override public AnalogChannel analog() {
+    @Override
+    public AnalogChannel analog() {
         return analog;
     }
 
-    @Override public UartChannel uart() {
+    @Override
+    public UartChannel uart() {
         return uart;
     }
 
-    @Override public I2cChannel i2c() {
+    @Override
+    public I2cChannel i2c() {
         return i2c;
     }
 
-    @Override public void release() {
+    @Override
+    public void release() {
         synchronized (lock()) {
             if (sensor != null) {
                 sensor.powerOff();

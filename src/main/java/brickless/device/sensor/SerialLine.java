@@ -17,11 +17,13 @@ final class SerialLine implements UartChannel {
         this.port = port;
     }
 
-    @Override public boolean initialise(int mode) {
+    @Override
+    public boolean initialise(int mode) {
         return change(mode, true);
     }
 
-    @Override public boolean setMode(int mode) {
+    @Override
+    public boolean setMode(int mode) {
         return change(mode, false);
     }
 
@@ -45,12 +47,14 @@ final class SerialLine implements UartChannel {
         return true;
     }
 
-    @Override public void reset() {
+    @Override
+    public void reset() {
         port.charge(Costs.SENSOR_READ_NANOS);
         port.release();
     }
 
-    @Override public int read(byte[] destination, int offset, int length) {
+    @Override
+    public int read(byte[] destination, int offset, int length) {
         port.charge(Costs.SENSOR_READ_NANOS);
         long now = port.nowNanos();
         synchronized (port.lock()) {
@@ -64,12 +68,14 @@ final class SerialLine implements UartChannel {
         }
     }
 
-    @Override public int write(byte[] source, int offset, int length) {
+    @Override
+    public int write(byte[] source, int offset, int length) {
         port.charge(Costs.SENSOR_READ_NANOS);
         return port.sensor() instanceof UartSensor ? length : 0;
     }
 
-    @Override public String modeName(int mode) {
+    @Override
+    public String modeName(int mode) {
         return port.sensor() instanceof UartSensor sensor && sensor.has(mode) ? sensor.mode(mode).name() : "Unknown";
     }
 }

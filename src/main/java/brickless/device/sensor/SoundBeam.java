@@ -26,7 +26,8 @@ final class SoundBeam implements RayFan.Visitor {
         return nearest;
     }
 
-    @Override public void met(RayHit hit) {
+    @Override
+    public void met(RayHit hit) {
         if (hit.distanceMetres() < nearest && echoes(hit)) {
             nearest = hit.distanceMetres();
         }

@@ -27,19 +27,23 @@ final class TouchSensor extends AnalogSensor {
         return bumper.pressed() || site().pushed();
     }
 
-    @Override int deviceType() {
+    @Override
+    int deviceType() {
         return ev3 ? EV3_DEVICE : NXT_DEVICE;
     }
 
-    @Override double pin1Volts(long nowNanos) {
+    @Override
+    double pin1Volts(long nowNanos) {
         return ev3 ? EV3_IDENTITY_VOLTS : pressed() ? NXT_PRESSED_VOLTS : PULL_UP_VOLTS;
     }
 
-    @Override double pin6Volts(long nowNanos) {
+    @Override
+    double pin6Volts(long nowNanos) {
         return ev3 && pressed() ? EV3_PRESSED_VOLTS : 0;
     }
 
-    @Override double[] reading(long nowNanos) {
+    @Override
+    double[] reading(long nowNanos) {
         return new double[] {pressed() ? 1 : 0};
     }
 }

@@ -19,11 +19,13 @@ abstract class UartSensor extends SensorModel {
         this.modes = modes;
     }
 
-    @Override final Wiring wiring() {
+    @Override
+    final Wiring wiring() {
         return Wiring.UART;
     }
 
-    @Override final int deviceType() {
+    @Override
+    final int deviceType() {
         return deviceType;
     }
 
@@ -46,7 +48,8 @@ abstract class UartSensor extends SensorModel {
         selected(nowNanos);
     }
 
-    @Override final void powerOff() {
+    @Override
+    final void powerOff() {
         mode = DARK;
         selected(0);
     }
@@ -59,7 +62,8 @@ abstract class UartSensor extends SensorModel {
     /** Writes the message of the present mode, {@code mode(mode()).bytes()} long. */
     abstract void message(long nowNanos, byte[] out);
 
-    @Override final double[] reading(long nowNanos) {
+    @Override
+    final double[] reading(long nowNanos) {
         if (mode == DARK) {
             return new double[0];
         }
@@ -72,7 +76,8 @@ abstract class UartSensor extends SensorModel {
         return values;
     }
 
-    @Override final String modeName() {
+    @Override
+    final String modeName() {
         return mode == DARK ? "" : modes[mode].name();
     }
 

@@ -47,7 +47,8 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source, Se
         return mode() != DARK && mode() != LISTEN && mode() != SINGLE && mode() != SINGLE_INCHES;
     }
 
-    @Override void selected(long nowNanos) {
+    @Override
+    void selected(long nowNanos) {
         sound().remove(this);
         if (mode() == DARK || mode() == LISTEN) {
             return;
@@ -59,7 +60,8 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source, Se
         }
     }
 
-    @Override public void afterStep(long nowNanos) {
+    @Override
+    public void afterStep(long nowNanos) {
         long ping = nowNanos / PING_NANOS;
         if (!pinging() || ping == lastPing && !ideal) {
             return;
@@ -80,13 +82,15 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source, Se
         onItsWay = (int) Math.max(NEAREST_MM, Math.min(NOTHING_MM, millimetres));
     }
 
-    @Override Optional<SensorBeam> beam() {
+    @Override
+    Optional<SensorBeam> beam() {
         return mode() == DARK || mode() == LISTEN ? Optional.empty()
                 : Optional.of(beam.seen(site(), latest == NOTHING_MM ? Double.POSITIVE_INFINITY : latest / 1000.0));
     }
 
     /** Whether this sensor's pings arrive somewhere. */
-    @Override public boolean reaches(Aim other) {
+    @Override
+    public boolean reaches(Aim other) {
         Aim own = aim();
         double dx = other.x - own.x;
         double dy = other.y - own.y;
@@ -94,7 +98,8 @@ final class UltrasonicSensor extends UartSensor implements SoundField.Source, Se
         return dx * dx + dy * dy <= SoundBeam.REACH * SoundBeam.REACH && Math.abs(off) <= HEARD_WITHIN;
     }
 
-    @Override void message(long nowNanos, byte[] out) {
+    @Override
+    void message(long nowNanos, byte[] out) {
         switch (mode()) {
             case LISTEN -> out[0] = (byte) (sound().heard(this, aim()) ? 1 : 0);
             case INCHES, SINGLE_INCHES,

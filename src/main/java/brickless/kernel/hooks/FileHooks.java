@@ -1,12 +1,15 @@
 package brickless.kernel.hooks;
 
 import brickless.files.BrickFiles;
+import java.io.BufferedInputStream;
 import java.io.BufferedWriter;
 import java.io.File;
 import java.io.FileDescriptor;
 import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Reader;
 import java.io.SyncFailedException;
@@ -26,6 +29,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileAttribute;
+import java.util.Locale;
 import java.util.Set;
 
 /** Files of rewritten code: those of the robot's brick; without a kernel the host's. Per robot. */
@@ -156,6 +160,18 @@ public final class FileHooks {
         return writer(name);
     }
 
+    /** What {@code new Formatter(name, encoding)} writes to. */
+    public static Appendable appendable(String name, String encoding) throws FileNotFoundException,
+            UnsupportedEncodingException {
+        return writer(name, encoding);
+    }
+
+    /** What {@code new Formatter(file, encoding)} writes to. */
+    public static Appendable appendable(File file, String encoding) throws FileNotFoundException,
+            UnsupportedEncodingException {
+        return writer(file, encoding);
+    }
+
     /** What {@code new Formatter(file)} writes to. */
     public static Appendable appendable(File file) throws FileNotFoundException {
         return writer(file);
@@ -184,22 +200,65 @@ public final class FileHooks {
         }
     }
 
-    /** The file that a class of the JDK is to open by itself, which it can on the host only. */
-    public static File hostFile(File file) {
-        refuse(file);
-        return file;
+    /** What {@code ImageIO.read(file)} and its like read from. */
+    public static InputStream input(File file) throws FileNotFoundException {
+        return new BufferedInputStream(new ProgramFileInputStream(file));
     }
 
-    /** Like {@link #hostFile(File)}. */
-    public static String hostFile(String name) {
-        refuse(name);
-        return name;
+    /** What {@code ImageIO.write(image, format, file)} writes to. */
+    public static OutputStream output(File file) throws FileNotFoundException {
+        return new ProgramFileOutputStream(file);
     }
 
-    private static void refuse(Object file) {
+    /**
+     * An argument of a class of the JDK that opens files by itself, which it can on the host only.
+     *
+     * @throws UnsupportedOperationException on a simulated brick
+     */
+    public static String hostOnly(String argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** See {@link #hostOnly(String)}. */
+    public static File hostOnly(File argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** See {@link #hostOnly(String)}. */
+    public static Charset hostOnly(Charset argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** See {@link #hostOnly(String)}. */
+    public static Locale hostOnly(Locale argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** See {@link #hostOnly(String)}. */
+    public static boolean hostOnly(boolean argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** See {@link #hostOnly(String)}. */
+    public static int hostOnly(int argument) {
+        refuseOnABrick();
+        return argument;
+    }
+
+    /** Where {@code new FileHandler()} logs; see {@link #hostOnly(String)}. */
+    public static String hostLog() {
+        return hostOnly("%h/java%u.log");
+    }
+
+    private static void refuseOnABrick() {
         if (files() != null) {
-            throw new UnsupportedOperationException(file + ": this class of the JDK opens files by itself, which it "
-                    + "cannot on a simulated brick; give it a stream, if it takes one");
+            throw new UnsupportedOperationException("this class of the JDK opens files by itself, which it cannot on a "
+                    + "simulated brick; give it a stream, or use another class");
         }
     }
 }

@@ -88,7 +88,8 @@ public final class IdentityHashes {
         for (Reference<?> gone = collected.poll(); gone != null; gone = collected.poll()) {
             ofJdkObjects.remove(gone);
         }
-        return ofJdkObjects.computeIfAbsent(new WeakIdentity(object, collected), key -> Hooks.machine().nextIdentityHash());
+        return ofJdkObjects.computeIfAbsent(new WeakIdentity(object, collected),
+                key -> Hooks.machine().nextIdentityHash());
     }
 
     private static final class WeakIdentity extends WeakReference<Object> {

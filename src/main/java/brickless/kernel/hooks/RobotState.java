@@ -1,6 +1,5 @@
 package brickless.kernel.hooks;
 
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Properties;

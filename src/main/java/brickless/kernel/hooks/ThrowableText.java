@@ -26,8 +26,8 @@ public final class ThrowableText {
         for (StackTraceElement frame : frames) {
             if (isOfProgram(frame)) {
                 String method = INITIALISER.equals(frame.getMethodName()) ? "<clinit>" : frame.getMethodName();
-                kept.add(new StackTraceElement(frame.getClassName().replace(INTERFACE_STATICS, ""), method, frame.getFileName(),
-                        frame.getLineNumber()));
+                kept.add(new StackTraceElement(frame.getClassName().replace(INTERFACE_STATICS, ""), method,
+                        frame.getFileName(), frame.getLineNumber()));
             }
         }
         return kept.toArray(new StackTraceElement[0]);

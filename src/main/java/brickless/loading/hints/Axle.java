@@ -1,7 +1,8 @@
 package brickless.loading.hints;
 
 /**
- * A wheel as the program describes it, while it is being described; lengths in the program's unit, what is not known is NaN.
+ * A wheel as the program describes it, while it is being described; lengths in the program's unit, what is not known is
+ * NaN.
  *
  * @param diameter tyre diameter
  * @param offset distance from the middle of the axle

@@ -74,7 +74,8 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         return name.matches(PORT);
     }
 
-    @Override public int getSize() {
+    @Override
+    public int getSize() {
         return size;
     }
 
@@ -94,7 +95,8 @@ record Clue(int size, Kind kind, String text, double number, SortedSet<String> p
         if (!known() || other.is(Kind.COUNTER) || is(Kind.OBJECT)) {
             return other;
         }
-        if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.WHEEL) || is(Kind.DEVICE) && Objects.equals(text, other.text))) {
+        if (kind == other.kind && (is(Kind.PORT) || is(Kind.TEXT) || is(Kind.WHEEL)
+                || is(Kind.DEVICE) && Objects.equals(text, other.text))) {
             SortedSet<String> both = new TreeSet<>(ports);
             both.addAll(other.ports);
             return new Clue(size, kind, text, number, both, axle);

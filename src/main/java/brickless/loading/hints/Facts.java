@@ -10,7 +10,10 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** What is known of a whole program: contents of fields, arguments, results, containers and objects, and the devices and wheels found. */
+/**
+ * What is known of a whole program: contents of fields, arguments, results, containers and objects, and the devices and
+ * wheels found.
+ */
 final class Facts {
     private final Map<String, Clue> places = new LinkedHashMap<>();
     private final Map<String, HardwareHints.Device> devices = new TreeMap<>();
@@ -51,14 +54,18 @@ final class Facts {
         learn(container.text() + "[]", value);
     }
 
-    /** What a container holds under a key, or anywhere if the key is not known or its value is not; null if nothing is known. */
+    /**
+     * What a container holds under a key, or anywhere if the key is not known or its value is not; null if nothing is
+     * known.
+     */
     Clue get(Clue container, Clue key) {
         Clue exact = isKey(key) ? places.get(element(container, key)) : null;
         return exact == null ? places.get(container.text() + "[]") : exact;
     }
 
     private static boolean isKey(Clue key) {
-        return key.is(Clue.Kind.NUMBER) || key.is(Clue.Kind.TEXT) && key.ports().size() <= 1 || key.is(Clue.Kind.OBJECT);
+        return key.is(Clue.Kind.NUMBER) || key.is(Clue.Kind.TEXT) && key.ports().size() <= 1
+                || key.is(Clue.Kind.OBJECT);
     }
 
     private static String element(Clue container, Clue key) {
@@ -99,23 +106,26 @@ final class Facts {
 
     HardwareHints hints() {
         return new HardwareHints(devices(1), devices(2),
-                wheels.entrySet().stream().filter(wheel -> !wheel.getValue().isOmni()).map(wheel -> ordinary(wheel.getKey(), wheel.getValue())).toList(),
-                wheels.entrySet().stream().filter(wheel -> wheel.getValue().isOmni()).map(wheel -> omni(wheel.getKey(), wheel.getValue())).toList(),
+                wheels.entrySet().stream().filter(wheel -> !wheel.getValue().isOmni())
+                .map(wheel -> ordinary(wheel.getKey(), wheel.getValue())).toList(), wheels.entrySet().stream().filter(
+                wheel -> wheel.getValue().isOmni()).map(wheel -> omni(wheel.getKey(), wheel.getValue())).toList(),
                 reversed, numbers);
     }
 
     private List<HardwareHints.Device> devices(int lengthOfPort) {
         return devices.values().stream().filter(device -> device.port().length() == lengthOfPort)
-                .map(device -> new HardwareHints.Device(device.port(), device.lejosClass(), namesAt(device.port()))).toList();
+                .map(device -> new HardwareHints.Device(device.port(), device.lejosClass(), namesAt(device.port())))
+                .toList();
     }
 
     private HardwareHints.Wheel ordinary(String port, Axle axle) {
-        return new HardwareHints.Wheel(port, axle.diameter(), optional(axle.offset()), optional(axle.track()), axle.gear(), namesAt(port));
+        return new HardwareHints.Wheel(port, axle.diameter(), optional(axle.offset()), optional(axle.track()),
+                axle.gear(), namesAt(port));
     }
 
     private static HardwareHints.OmniWheel omni(String port, Axle axle) {
-        return new HardwareHints.OmniWheel(port, axle.diameter(), axle.place().x(), axle.place().y(), axle.place().headingDegrees(),
-                axle.gear() > 0 ? 1 / axle.gear() : 1);
+        return new HardwareHints.OmniWheel(port, axle.diameter(), axle.place().x(), axle.place().y(),
+                axle.place().headingDegrees(), axle.gear() > 0 ? 1 / axle.gear() : 1);
     }
 
     private static OptionalDouble optional(double value) {

@@ -16,11 +16,11 @@ import java.util.TreeSet;
  * @param wheels ordinary wheels it declares through chassis or pilot constructors
  * @param omniWheels wheels of a holonomic chassis or pilot
  * @param reversed ports of motors that the program takes to be mounted the other way round
- * @param numbers positive numbers by the names of the fields and variables that hold them, in the order found: programs without a pilot
- *     keep the sizes of their wheels there
+ * @param numbers positive numbers by the names of the fields and variables that hold them, in the order found: programs
+ *     without a pilot keep the sizes of their wheels there
  */
-public record HardwareHints(List<Device> motors, List<Device> sensors, List<Wheel> wheels, List<OmniWheel> omniWheels, Set<String> reversed,
-        Map<String, Double> numbers) {
+public record HardwareHints(List<Device> motors, List<Device> sensors, List<Wheel> wheels, List<OmniWheel> omniWheels,
+        Set<String> reversed, Map<String, Double> numbers) {
     public HardwareHints {
         motors = List.copyOf(motors);
         sensors = List.copyOf(sensors);
@@ -54,7 +54,8 @@ public record HardwareHints(List<Device> motors, List<Device> sensors, List<Whee
      * @param gearRatio motor turns per wheel turn
      * @param name fields and variables of the motor, separated by spaces, empty if unknown
      */
-    public record Wheel(String port, double diameter, OptionalDouble offset, OptionalDouble trackWidth, double gearRatio, String name) {}
+    public record Wheel(String port, double diameter, OptionalDouble offset, OptionalDouble trackWidth,
+            double gearRatio, String name) {}
 
     /**
      * An omni wheel as the program describes it, in the program's own unit of length.
@@ -66,5 +67,6 @@ public record HardwareHints(List<Device> motors, List<Device> sensors, List<Whee
      * @param headingDegrees driving direction, counter-clockwise from ahead
      * @param gearRatio motor turns per wheel turn
      */
-    public record OmniWheel(String port, double diameter, double x, double y, double headingDegrees, double gearRatio) {}
+    public record OmniWheel(String port, double diameter, double x, double y, double headingDegrees,
+            double gearRatio) {}
 }

@@ -21,8 +21,9 @@ import org.objectweb.asm.tree.analysis.Frame;
 /**
  * Reads a program's classes for what they say about the robot.
  *
- * <p>All methods are interpreted symbolically, several times over, so that a port that travels through fields, arguments and results is
- * still recognised where a motor is made of it. Branches are not decided: what may happen counts.
+ * <p>All methods are interpreted symbolically, several times over, so that a port that travels through fields,
+ * arguments and results is still recognised where a motor is made of it. Branches are not decided: what may happen
+ * counts.
  */
 public final class HintFinder {
     private static final int PASSES = 7;
@@ -77,7 +78,9 @@ public final class HintFinder {
         names(method, frames(interpreter, type, method), places, facts);
     }
 
-    /** The interpreted method; nothing for code that ASM cannot follow: its devices are plugged in when they are opened. */
+    /**
+     * The interpreted method; nothing for code that ASM cannot follow: its devices are plugged in when they are opened.
+     */
     private static Frame<Clue>[] frames(HintInterpreter interpreter, ClassNode type, MethodNode method) {
         try {
             return new Analyzer<>(interpreter).analyze(type.name, method);
@@ -87,9 +90,11 @@ public final class HintFinder {
         }
     }
 
-    private static void names(MethodNode method, Frame<Clue>[] frames, Map<AbstractInsnNode, Integer> places, Facts facts) {
+    private static void names(MethodNode method, Frame<Clue>[] frames, Map<AbstractInsnNode, Integer> places,
+            Facts facts) {
         for (AbstractInsnNode instruction : method.instructions) {
-            if (!STORES.contains(instruction.getOpcode()) || frames[places.get(instruction)] == null || method.localVariables == null) {
+            if (!STORES.contains(instruction.getOpcode()) || frames[places.get(instruction)] == null
+                    || method.localVariables == null) {
                 continue;
             }
             Frame<Clue> frame = frames[places.get(instruction)];

@@ -34,11 +34,13 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         this.places = places;
     }
 
-    @Override public Clue newValue(Type type) {
+    @Override
+    public Clue newValue(Type type) {
         return type == Type.VOID_TYPE ? null : Clue.unknown(type == null ? 1 : type.getSize());
     }
 
-    @Override public Clue newParameterValue(boolean isInstanceMethod, int local, Type type) {
+    @Override
+    public Clue newParameterValue(boolean isInstanceMethod, int local, Type type) {
         if (isInstanceMethod && local == 0) {
             return newValue(type);
         }
@@ -46,7 +48,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return known == null || known.size() != type.getSize() ? newValue(type) : known;
     }
 
-    @Override public Clue newOperation(AbstractInsnNode instruction) {
+    @Override
+    public Clue newOperation(AbstractInsnNode instruction) {
         int opcode = instruction.getOpcode();
         if (opcode >= ICONST_M1 && opcode <= ICONST_5) {
             return Clue.number(1, opcode - ICONST_0);
@@ -93,7 +96,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return known == null || known.size() != size ? Clue.unknown(size) : known;
     }
 
-    @Override public Clue copyOperation(AbstractInsnNode instruction, Clue value) {
+    @Override
+    public Clue copyOperation(AbstractInsnNode instruction, Clue value) {
         return resolved(value);
     }
 
@@ -105,7 +109,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return made == null ? value : made;
     }
 
-    @Override public Clue unaryOperation(AbstractInsnNode instruction, Clue value) {
+    @Override
+    public Clue unaryOperation(AbstractInsnNode instruction, Clue value) {
         switch (instruction.getOpcode()) {
             case INEG, FNEG, LNEG, DNEG:
                 return arithmetic(value.size(), -value.number());
@@ -140,7 +145,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return Double.isNaN(value) ? Clue.unknown(size) : Clue.number(size, value);
     }
 
-    @Override public Clue binaryOperation(AbstractInsnNode instruction, Clue a, Clue b) {
+    @Override
+    public Clue binaryOperation(AbstractInsnNode instruction, Clue a, Clue b) {
         switch (instruction.getOpcode()) {
             case IADD, FADD, LADD, DADD:
                 return arithmetic(a.size(), a.number() + b.number());
@@ -167,14 +173,16 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return held == null || held.size() != size ? Clue.unknown(size) : held;
     }
 
-    @Override public Clue ternaryOperation(AbstractInsnNode instruction, Clue array, Clue index, Clue value) {
+    @Override
+    public Clue ternaryOperation(AbstractInsnNode instruction, Clue array, Clue index, Clue value) {
         if (array.is(Clue.Kind.CONTAINER)) {
             facts.put(array, index, resolved(value));
         }
         return null;
     }
 
-    @Override public Clue naryOperation(AbstractInsnNode instruction, List<? extends Clue> values) {
+    @Override
+    public Clue naryOperation(AbstractInsnNode instruction, List<? extends Clue> values) {
         if (!(instruction instanceof MethodInsnNode call)) {
             return Clue.unknown(1);
         }
@@ -210,7 +218,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
     private void instance(Clue device) {
         String own = method.substring(0, method.indexOf(".<init>"));
         facts.learn(INSTANCE + own, device);
-        device.ports().forEach(port -> facts.named(device.at(new TreeSet<>(Set.of(port))), own.substring(own.lastIndexOf('/') + 1)));
+        device.ports().forEach(port ->
+                facts.named(device.at(new TreeSet<>(Set.of(port))), own.substring(own.lastIndexOf('/') + 1)));
     }
 
     /** What a method or class makes at the ports it is given, it makes this time at these. */
@@ -218,7 +227,8 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         if (answer == null || answer.ports().size() < 2) {
             return answer;
         }
-        return arguments.stream().map(Clue::ports).filter(ports -> !ports.isEmpty() && answer.ports().containsAll(ports)).findFirst()
+        return arguments.stream().map(Clue::ports)
+                .filter(ports -> !ports.isEmpty() && answer.ports().containsAll(ports)).findFirst()
                 .map(ports -> offset(answer.at(ports), arguments)).orElse(answer);
     }
 
@@ -233,11 +243,13 @@ final class HintInterpreter extends Interpreter<Clue> implements Opcodes {
         return Clue.wheel(made.ports(), axle);
     }
 
-    @Override public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {
+    @Override
+    public void returnOperation(AbstractInsnNode instruction, Clue value, Clue expected) {
         facts.returned(method, resolved(value));
     }
 
-    @Override public Clue merge(Clue a, Clue b) {
+    @Override
+    public Clue merge(Clue a, Clue b) {
         if (a.equals(b)) {
             return a;
         }

@@ -5,11 +5,15 @@ import java.util.Set;
 import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.MethodInsnNode;
 
-/** What JDK collections and wrappers do with what is known: programs keep motors in lists and maps, and numbers in boxes and texts. */
+/**
+ * What JDK collections and wrappers do with what is known: programs keep motors in lists and maps, and numbers in boxes
+ * and texts.
+ */
 final class JdkCollections {
-    private static final Set<String> VIEWS = Set.of("iterator", "listIterator", "values", "entrySet", "clone", "stream", "toArray");
-    private static final Set<String> LOOK_UPS = Set.of("get", "getOrDefault", "remove", "getFirst", "getLast", "next", "getValue", "poll",
-            "peek", "pop", "take", "element", "elementAt", "firstElement", "lastElement");
+    private static final Set<String> VIEWS = Set.of("iterator", "listIterator", "values", "entrySet", "clone",
+            "stream", "toArray");
+    private static final Set<String> LOOK_UPS = Set.of("get", "getOrDefault", "remove", "getFirst", "getLast", "next",
+            "getValue", "poll", "peek", "pop", "take", "element", "elementAt", "firstElement", "lastElement");
 
     private final Facts facts;
 
@@ -35,7 +39,8 @@ final class JdkCollections {
         if (call.name.equals("getProperty") && arguments.size() == 3) {
             return arguments.get(2);
         }
-        if (first.is(Clue.Kind.TEXT) && call.owner.startsWith("java/lang/") && call.name.matches("parse(Double|Float|Int)|valueOf")) {
+        if (first.is(Clue.Kind.TEXT) && call.owner.startsWith("java/lang/")
+                && call.name.matches("parse(Double|Float|Int)|valueOf")) {
             return parsed(first.text(), sizeOf(call));
         }
         if (call.name.equals("valueOf") || call.name.endsWith("Value") && call.owner.startsWith("java/lang/")) {
@@ -70,7 +75,8 @@ final class JdkCollections {
 
     private static boolean isFactory(MethodInsnNode call) {
         return call.owner.equals("java/util/Arrays") && call.name.equals("asList")
-                || call.name.equals("of") && Set.of("java/util/List", "java/util/Set", "java/util/Map").contains(call.owner);
+                || call.name.equals("of") && Set.of("java/util/List", "java/util/Set", "java/util/Map")
+                .contains(call.owner);
     }
 
     private Clue factory(MethodInsnNode call, List<Clue> arguments, String instruction) {

@@ -30,8 +30,10 @@ final class LejosCalls {
     /** Value of a constant of the API: a port, or one of the ready-made motors; null for other fields. */
     static Clue constant(String owner, String name) {
         return switch (owner) {
-            case "lejos/hardware/port/MotorPort", "lejos/hardware/port/SensorPort" -> Clue.isPort(name) ? Clue.port(name) : null;
-            case "lejos/hardware/motor/Motor" -> Clue.isPort(name) ? Clue.device(READY_MADE, new TreeSet<>(Set.of(name))) : null;
+            case "lejos/hardware/port/MotorPort", "lejos/hardware/port/SensorPort" -> Clue.isPort(name)
+                    ? Clue.port(name) : null;
+            case "lejos/hardware/motor/Motor" -> Clue.isPort(name)
+                    ? Clue.device(READY_MADE, new TreeSet<>(Set.of(name))) : null;
             default -> null;
         };
     }
@@ -45,7 +47,8 @@ final class LejosCalls {
             return Clue.device(type, first.ports());
         }
         if (call.owner.equals(MODELER) || call.owner.equals(HOLONOMIC_MODELER)) {
-            return wheel(first, call.owner.equals(MODELER) ? Axle.ordinary(arguments.get(2).number()) : Axle.omni(arguments.get(2).number()));
+            return wheel(first, call.owner.equals(MODELER) ? Axle.ordinary(arguments.get(2).number())
+                    : Axle.omni(arguments.get(2).number()));
         }
         if (TWO_WHEEL_PILOTS.contains(call.owner)) {
             pilot(call, arguments);
@@ -55,7 +58,10 @@ final class LejosCalls {
         return call.owner.startsWith(FILTERS) && first.is(Clue.Kind.DEVICE) ? first : null;
     }
 
-    /** Constructors of two-wheel pilots: one or two diameters, the track, left and right motor, and perhaps whether both are reversed. */
+    /**
+     * Constructors of two-wheel pilots: one or two diameters, the track, left and right motor, and perhaps whether both
+     * are reversed.
+     */
     private void pilot(MethodInsnNode call, List<Clue> arguments) {
         List<Double> lengths = new ArrayList<>();
         List<Clue> motors = new ArrayList<>();
@@ -83,7 +89,10 @@ final class LejosCalls {
         }
     }
 
-    /** Distance from the middle, diameter, the central motor, those 120 degrees clockwise and counter-clockwise, central in front, reversed. */
+    /**
+     * Distance from the middle, diameter, the central motor, those 120 degrees clockwise and counter-clockwise, central
+     * in front, reversed.
+     */
     private void omniPilot(List<Clue> arguments) {
         boolean behind = arguments.get(6).number() == 0;
         double[] angles = {0, -120, 120};
@@ -101,7 +110,8 @@ final class LejosCalls {
     /** What a method call returns; null if nothing of interest. */
     Clue returned(MethodInsnNode call, List<Clue> arguments) {
         Clue first = arguments.isEmpty() ? Clue.unknown(1) : arguments.get(0);
-        if (call.name.equals("getPort") && call.desc.startsWith("(Ljava/lang/String;)") && call.owner.startsWith("lejos/")) {
+        if (call.name.equals("getPort") && call.desc.startsWith("(Ljava/lang/String;)")
+                && call.owner.startsWith("lejos/")) {
             Clue name = arguments.get(arguments.size() - 1);
             return name.is(Clue.Kind.TEXT) && !name.ports().isEmpty() ? Clue.port(name.ports()) : null;
         }

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import brickless.world.MotorType;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.api.Test;
 
 /** The model against the measurements it was derived from: within 3 %. */
 class MotorModelTest {
@@ -35,7 +35,8 @@ class MotorModelTest {
         assertThat(bench.motor.amperes()).isCloseTo(amperes, withPercentage(3));
     }
 
-    @Test void largeMotorStallsAtTheMeasuredTorqueAndCurrent() {
+    @Test
+    void largeMotorStallsAtTheMeasuredTorqueAndCurrent() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 9);
         bench.block();
         bench.motor.drive(100);
@@ -57,7 +58,8 @@ class MotorModelTest {
         assertThat(constants.frictionNewtonMetres()).isCloseTo(friction, withPercentage(1));
     }
 
-    @Test void encoderCountsWholeDegreesOfTheShaft() {
+    @Test
+    void encoderCountsWholeDegreesOfTheShaft() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 9);
         for (int i = 0; i < 300; i++) {
             bench.motor.drive(i < 150 ? 30 : -45);
@@ -67,7 +69,8 @@ class MotorModelTest {
         }
     }
 
-    @Test void mediumMotorStallsBetween15And18NewtonCentimetres() {
+    @Test
+    void mediumMotorStallsBetween15And18NewtonCentimetres() {
         MotorBench weak = new MotorBench(MotorType.MEDIUM, 9);
         weak.shaft.setLoadTorque(-15 * NEWTON_CENTIMETRES);
         weak.motor.drive(100);
@@ -80,14 +83,16 @@ class MotorModelTest {
         assertThat(strong.rpm()).isNotPositive();
     }
 
-    @Test void largeMotorTakesItsTimeConstantToReach63Percent() {
+    @Test
+    void largeMotorTakesItsTimeConstantToReach63Percent() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 9);
         bench.motor.drive(100);
         bench.processor.runMillis(60);
         assertThat(bench.rpm()).isCloseTo(175 * 0.632, withPercentage(3));
     }
 
-    @Test void brakingStopsSoonerThanCoasting() {
+    @Test
+    void brakingStopsSoonerThanCoasting() {
         assertThat(degreesAfter(true)).isLessThan(0.6 * degreesAfter(false));
     }
 
@@ -106,7 +111,8 @@ class MotorModelTest {
         return Math.toDegrees(bench.shaft.angleRadians()) - start;
     }
 
-    @Test void coastingMotorDrawsNoCurrent() {
+    @Test
+    void coastingMotorDrawsNoCurrent() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 8);
         bench.motor.drive(100);
         bench.processor.runMillis(300);
@@ -116,7 +122,8 @@ class MotorModelTest {
         assertThat(bench.motor.amperes()).isZero();
     }
 
-    @Test void brakingMotorDrivesCurrentThroughTheShort() {
+    @Test
+    void brakingMotorDrivesCurrentThroughTheShort() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 8);
         bench.motor.drive(100);
         bench.processor.runMillis(300);
@@ -135,14 +142,16 @@ class MotorModelTest {
         assertThat(bench.shaft.angleRadians()).isZero();
     }
 
-    @Test void tenPercentMovesTheLargeMotor() {
+    @Test
+    void tenPercentMovesTheLargeMotor() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 8.2);
         bench.motor.drive(10);
         bench.processor.runMillis(500);
         assertThat(bench.motor.encoder()).isPositive();
     }
 
-    @Test void directionsAreMirrorImages() {
+    @Test
+    void directionsAreMirrorImages() {
         MotorBench forward = new MotorBench(MotorType.LARGE, 8);
         MotorBench backward = new MotorBench(MotorType.LARGE, 8);
         forward.motor.drive(70);
@@ -152,14 +161,16 @@ class MotorModelTest {
         assertThat(backward.shaft.angleRadians()).isEqualTo(-forward.shaft.angleRadians());
     }
 
-    @Test void dutyBeyondFullIsClamped() {
+    @Test
+    void dutyBeyondFullIsClamped() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 9);
         bench.motor.drive(300);
         bench.processor.runMillis(1000);
         assertThat(bench.rpm()).isCloseTo(175, withPercentage(3));
     }
 
-    @Test void emptyPortAcceptsEverythingAndNeverTurns() {
+    @Test
+    void emptyPortAcceptsEverythingAndNeverTurns() {
         MotorBench bench = new MotorBench(MotorType.LARGE, 8);
         bench.motor.plug(null);
         bench.motor.drive(100);
@@ -169,7 +180,8 @@ class MotorModelTest {
         assertThat(bench.motor.amperes()).isZero();
     }
 
-    @Test void halvingTheStepChangesTheAngleByLessThanOnePercent() {
+    @Test
+    void halvingTheStepChangesTheAngleByLessThanOnePercent() {
         double coarse = angleAfterPulse(2_000_000);
         assertThat(angleAfterPulse(1_000_000)).isCloseTo(coarse, withPercentage(1));
         assertThat(angleAfterPulse(500_000)).isCloseTo(coarse, withPercentage(1));

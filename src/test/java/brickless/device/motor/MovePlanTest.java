@@ -39,13 +39,15 @@ class MovePlanTest {
         assertThat(plan.position(t3)).isEqualTo(limit);
     }
 
-    @Test void moveToTheOwnPositionIsEmpty() {
+    @Test
+    void moveToTheOwnPositionIsEmpty() {
         MovePlan plan = plan(0, 0, 360, 6000, 0);
         assertThat(plan.empty()).isTrue();
         assertThat(plan.target()).isZero();
     }
 
-    @Test void standingStillNeedsNoAcceleration() {
+    @Test
+    void standingStillNeedsNoAcceleration() {
         MovePlan plan = plan(30, 0, 0, 0, 30);
         assertThat(plan.empty()).isTrue();
         assertThat(plan.target()).isEqualTo(30);
@@ -65,37 +67,43 @@ class MovePlanTest {
         assertThat(plan(7, 0, 0, 0, 7).target()).as("at rest").isEqualTo(7);
     }
 
-    @Test void endlessMoveSpeedsUpAndRunsOn() {
+    @Test
+    void endlessMoveSpeedsUpAndRunsOn() {
         MovePlan plan = plan(0, 0, 360, 6000, ENDLESS);
         assertThat(plan.cruiseMillis()).isEqualTo(60);
         assertThat((double) plan.position(60)).isCloseTo(10.8, offset(1e-4));
         assertThat((double) plan.position(60_060)).isCloseTo(10.8 + 60 * 360, offset(0.1));
     }
 
-    @Test void endlessMoveBackwardIsTheMirrorImage() {
+    @Test
+    void endlessMoveBackwardIsTheMirrorImage() {
         MovePlan plan = plan(0, 0, 360, 6000, -ENDLESS);
         assertThat(plan.velocity(1000)).isEqualTo(-360);
     }
 
-    @Test void fasterSpeedDuringAnEndlessMoveTakesTheDifferenceOnly() {
+    @Test
+    void fasterSpeedDuringAnEndlessMoveTakesTheDifferenceOnly() {
         MovePlan plan = plan(100, 360, 720, 6000, ENDLESS);
         assertThat(plan.cruiseMillis()).isBetween(59, 60);
         assertThat((double) plan.position(60)).isCloseTo(132.4, offset(0.8));
     }
 
-    @Test void stoppingTakesTheBrakingDistance() {
+    @Test
+    void stoppingTakesTheBrakingDistance() {
         MovePlan plan = plan(100, 360, 0, 1000, ENDLESS);
         assertThat(plan.endMillis()).isEqualTo(360);
         assertThat((double) plan.position(360)).isCloseTo(164.8, offset(1e-3));
         assertThat((double) plan.velocity(180)).isCloseTo(180, offset(1e-3));
     }
 
-    @Test void stoppingFromBackwardMotionEndsBehind() {
+    @Test
+    void stoppingFromBackwardMotionEndsBehind() {
         MovePlan plan = plan(0, -360, 0, 1000, ENDLESS);
         assertThat((double) plan.position(1000)).isCloseTo(-64.8, offset(1e-3));
     }
 
-    @Test void shiftingTheFrameMovesEveryPosition() {
+    @Test
+    void shiftingTheFrameMovesEveryPosition() {
         MovePlan plan = plan(0, 0, 360, 6000, 360);
         MovePlan same = plan(0, 0, 360, 6000, 360);
         plan.shift(100);
@@ -108,7 +116,8 @@ class MovePlanTest {
      * From many starts to many targets: positions never jump by more than the truncation of times allows, and the end
      * is the target.
      */
-    @Test void plansAreContinuousAndEndAtTheirTarget() {
+    @Test
+    void plansAreContinuousAndEndAtTheirTarget() {
         float[] starts = {-720, -360, -50, 0, 50, 360, 720};
         int[] limits = {-2000, -100, -7, 0, 3, 45, 360, 5000};
         int[] accelerations = {200, 1000, 6000};

@@ -55,7 +55,8 @@ class RegulationTest {
         assertThat(own.degreesPerSecond()).isCloseTo(0, offset(1.0));
     }
 
-    @Test void stopFromCruiseTakesRampAndSettling() {
+    @Test
+    void stopFromCruiseTakesRampAndSettling() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(1000);
         double start = bench.seconds();
@@ -64,19 +65,22 @@ class RegulationTest {
         assertThat(bench.seconds() - start).isCloseTo(0.18, offset(0.05));
     }
 
-    @Test void stopOfAnIdleMotorReturnsAtOnce() {
+    @Test
+    void stopOfAnIdleMotorReturnsAtOnce() {
         bench.motor.move(stop(true));
         bench.motor.awaitStandstill();
         assertThat(bench.seconds()).isLessThan(0.002);
         assertThat(bench.motor.state()).isEqualTo(RegulationState.HOLD);
     }
 
-    @Test void movingStateIsReportedWhenMoveReturns() {
+    @Test
+    void movingStateIsReportedWhenMoveReturns() {
         bench.motor.move(to(360, 90));
         assertThat(bench.motor.snapshot().state().moving()).isTrue();
     }
 
-    @Test void phasesFollowEachOther() {
+    @Test
+    void phasesFollowEachOther() {
         bench.motor.move(to(360, 360));
         assertThat(bench.motor.state()).isEqualTo(RegulationState.START);
         bench.processor.runMillis(30);
@@ -89,14 +93,16 @@ class RegulationTest {
         assertThat(bench.motor.state()).isEqualTo(RegulationState.HOLD);
     }
 
-    @Test void cruisingMotorRunsAtTheRequestedSpeed() {
+    @Test
+    void cruisingMotorRunsAtTheRequestedSpeed() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(1500);
         assertThat(bench.degreesPerSecond()).isCloseTo(360, offset(8.0));
         assertThat(bench.motor.observe().velocityDegreesPerSecond()).isEqualTo(360);
     }
 
-    @Test void blockedMotorStallsAfterLagAndStallTime() {
+    @Test
+    void blockedMotorStallsAfterLagAndStallTime() {
         bench.block();
         bench.motor.move(to(360, 3600));
         bench.motor.awaitStandstill();
@@ -106,7 +112,8 @@ class RegulationTest {
         assertThat(bench.motor.observe().positionDegrees()).isZero();
     }
 
-    @Test void stallThresholdAppliesFromTheNextMove() {
+    @Test
+    void stallThresholdAppliesFromTheNextMove() {
         bench.block();
         bench.motor.move(to(360, 3600));
         bench.motor.setStallThreshold(10, 100);
@@ -118,7 +125,8 @@ class RegulationTest {
         assertThat(bench.seconds() - start).isBetween(0.1, 0.25);
     }
 
-    @Test void unreachableSpeedNeverStalls() {
+    @Test
+    void unreachableSpeedNeverStalls() {
         bench.motor.move(to(2000, ENDLESS));
         bench.processor.runMillis(10_000);
         assertThat(bench.motor.state().moving()).isTrue();
@@ -127,7 +135,8 @@ class RegulationTest {
         assertThat((double) now.positionDegrees() - now.tachoDegrees()).isBetween(40.0, 65.0);
     }
 
-    @Test void holdResistsATorque() {
+    @Test
+    void holdResistsATorque() {
         bench.motor.move(stop(true));
         bench.shaft.setLoadTorque(0.1);
         bench.processor.runMillis(2000);
@@ -136,7 +145,8 @@ class RegulationTest {
         assertThat(bench.motor.observe().positionDegrees()).isZero();
     }
 
-    @Test void floatingMotorGivesWayAndCounts() {
+    @Test
+    void floatingMotorGivesWayAndCounts() {
         bench.motor.move(to(360, 90));
         bench.motor.awaitStandstill();
         bench.motor.move(stop(false));
@@ -147,7 +157,8 @@ class RegulationTest {
         assertThat(bench.motor.observe().positionDegrees()).isEqualTo(bench.motor.encoder());
     }
 
-    @Test void floatingAfterMotionDeceleratesFirst() {
+    @Test
+    void floatingAfterMotionDeceleratesFirst() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(500);
         bench.motor.move(stop(false));
@@ -157,7 +168,8 @@ class RegulationTest {
         assertThat(bench.motor.dutyPercent()).isZero();
     }
 
-    @Test void reversingBlendsWithoutAStop() {
+    @Test
+    void reversingBlendsWithoutAStop() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(500);
         bench.motor.move(to(360, -ENDLESS));
@@ -168,7 +180,8 @@ class RegulationTest {
         assertThat(bench.degreesPerSecond()).isCloseTo(-360, offset(10.0));
     }
 
-    @Test void speedCanBeChangedWhileRunning() {
+    @Test
+    void speedCanBeChangedWhileRunning() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(500);
         bench.motor.adjustSpeed(180);
@@ -176,7 +189,8 @@ class RegulationTest {
         assertThat(bench.degreesPerSecond()).isCloseTo(180, offset(8.0));
     }
 
-    @Test void speedIsNotChangedInTheFinalDeceleration() {
+    @Test
+    void speedIsNotChangedInTheFinalDeceleration() {
         bench.motor.move(new MoveRequest(360, 400, 360, true));
         bench.processor.runMillis(1100);
         assertThat(bench.motor.state()).isEqualTo(RegulationState.DECEL);
@@ -186,7 +200,8 @@ class RegulationTest {
         assertThat(bench.motor.observe().velocityDegreesPerSecond()).isLessThan(before);
     }
 
-    @Test void speedZeroLatches() {
+    @Test
+    void speedZeroLatches() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(500);
         bench.motor.adjustSpeed(0);
@@ -196,7 +211,8 @@ class RegulationTest {
         assertThat(bench.motor.state()).isEqualTo(RegulationState.HOLD);
     }
 
-    @Test void resettingTheTachoKeepsTheRunningTarget() {
+    @Test
+    void resettingTheTachoKeepsTheRunningTarget() {
         bench.motor.move(to(360, 720));
         bench.processor.runMillis(1000);
         int before = bench.motor.encoder();
@@ -206,7 +222,8 @@ class RegulationTest {
         assertThat(Math.toDegrees(bench.shaft.angleRadians())).isCloseTo(720, offset(3.0));
     }
 
-    @Test void rawCommandEndsRegulationAndWakesWaiters() {
+    @Test
+    void rawCommandEndsRegulationAndWakesWaiters() {
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(100);
         bench.motor.drive(30);
@@ -216,7 +233,8 @@ class RegulationTest {
         assertThat(bench.degreesPerSecond()).isPositive();
     }
 
-    @Test void releaseForgetsEverything() {
+    @Test
+    void releaseForgetsEverything() {
         bench.motor.setStallThreshold(5, 10);
         bench.motor.move(to(360, ENDLESS));
         bench.processor.runMillis(300);
@@ -230,7 +248,8 @@ class RegulationTest {
         assertThat(bench.seconds() - start).isGreaterThan(1.1);
     }
 
-    @Test void everyCallChargesTheProcessor() {
+    @Test
+    void everyCallChargesTheProcessor() {
         long before = bench.processor.nowNanos();
         bench.motor.tachoDegrees();
         assertThat(bench.processor.nowNanos()).isGreaterThan(before);

@@ -15,15 +15,18 @@ class ButtonPolicyTest {
     private boolean stimuli;
     private boolean motorsRest = true;
     private final ButtonPolicy policy = new ButtonPolicy(bench.keys, new ButtonPolicy.Circumstances() {
-        @Override public boolean keyPressesToCome() {
+        @Override
+        public boolean keyPressesToCome() {
             return scheduled;
         }
 
-        @Override public boolean stimuliToCome() {
+        @Override
+        public boolean stimuliToCome() {
             return stimuli;
         }
 
-        @Override public boolean motorsRest() {
+        @Override
+        public boolean motorsRest() {
             return motorsRest;
         }
     });
@@ -56,7 +59,8 @@ class ButtonPolicyTest {
         stepUntil(10_000);
         List<Integer> keys = List.of(nextKey(), nextKey(), nextKey(), nextKey(), nextKey(), nextKey());
         assertThat(keys).containsExactly(2, 8, 16, 4, 1, 2);
-        assertThat(bench.millis()).as("each a second after the release before, and 7 ms later each time").isBetween(7305.0, 7330.0);
+        assertThat(bench.millis()).as("each a second after the release before, and 7 ms later each time")
+                .isBetween(7305.0, 7330.0);
     }
 
     @Test
@@ -105,7 +109,8 @@ class ButtonPolicyTest {
         askUntilDown(1 | 8, 20, 12_000);
         pause(250);
         askUntilDown(1 | 8, 20, 12_000);
-        assertThat(bench.events()).containsExactly("key 8 down by POLICY", "key 8 up by POLICY", "key 1 down by POLICY");
+        assertThat(bench.events()).containsExactly("key 8 down by POLICY", "key 8 up by POLICY",
+                "key 1 down by POLICY");
     }
 
     @Test
@@ -120,7 +125,8 @@ class ButtonPolicyTest {
         stepUntil(9000);
         assertThat(askUntilDown(2, 1000, 9000)).isBetween(3000.0, 4100.0);
         pause(300);
-        assertThat(bench.events()).as("let go once the program has seen it").containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
+        assertThat(bench.events()).as("let go once the program has seen it")
+                .containsExactly("key 2 down by POLICY", "key 2 up by POLICY");
     }
 
     @Test
@@ -144,7 +150,10 @@ class ButtonPolicyTest {
         assertThat(policy.presses()).isEmpty();
     }
 
-    /** The policy does not look all the time, but no wait is answered late for that: begun early or late between two looks. */
+    /**
+     * The policy does not look all the time, but no wait is answered late for that: begun early or late between two
+     * looks.
+     */
     @ParameterizedTest
     @ValueSource(ints = {1, 99, 100, 101, 450, 899, 900, 901, 999, 1000, 1001, 1750, 2700})
     void wheneverTheWaitBeginsThePressComesAfterASecond(int begin) throws InterruptedException {
@@ -154,7 +163,10 @@ class ButtonPolicyTest {
         assertThat(bench.millis()).isBetween(begin + 1000.0, begin + 1002.0);
     }
 
-    /** Short waits with hardly anything between them count as one, and it may be answered soon after the last of them has begun. */
+    /**
+     * Short waits with hardly anything between them count as one, and it may be answered soon after the last of them
+     * has begun.
+     */
     @Test
     void repeatedShortWaitsAreAnsweredAfterASecondAltogether() throws InterruptedException {
         stepUntil(3000);

@@ -29,15 +29,18 @@ class NewDeviceTest {
             super(site, COMPASS_ADDRESS, "V2.0", "MAKER OF THINGS", "Compass");
         }
 
-        @Override boolean writable(int register) {
+        @Override
+        boolean writable(int register) {
             return register == ZERO;
         }
 
-        @Override void written(int register, long nowNanos) {
+        @Override
+        void written(int register, long nowNanos) {
             zero = degrees();
         }
 
-        @Override void aboutToRead(long nowNanos) {
+        @Override
+        void aboutToRead(long nowNanos) {
             setRegister(BEARING, (int) Math.round((degrees() - zero) / 2));
         }
 
@@ -45,7 +48,8 @@ class NewDeviceTest {
             return Angles.degreesFromRadians(aim().headingRadians);
         }
 
-        @Override double[] reading(long nowNanos) {
+        @Override
+        double[] reading(long nowNanos) {
             return new double[] {degrees() - zero};
         }
     }
@@ -70,25 +74,29 @@ class NewDeviceTest {
         return bytes;
     }
 
-    @Test void itsRegistersAreReadAndWritten() {
+    @Test
+    void itsRegistersAreReadAndWritten() {
         assertThat(read(Compass.BEARING, 1)).containsExactly(45);
         port.i2c().transaction(COMPASS_ADDRESS, new byte[] {Compass.ZERO, 1}, 0, 2, null, 0, 0);
         assertThat(read(Compass.BEARING, 1)).containsExactly(0);
     }
 
-    @Test void itsTextsAreEightCharactersLong() {
+    @Test
+    void itsTextsAreEightCharactersLong() {
         assertThat(read(0x08, 8)).asString().isEqualTo("MAKER OF");
         assertThat(read(0x10, 7)).asString().isEqualTo("Compass");
         assertThat(port.wiring()).isEqualTo(Wiring.I2C);
     }
 
-    @Test void otherAddressesGetNoAnswerAndOtherRegistersKeepTheirValues() {
+    @Test
+    void otherAddressesGetNoAnswerAndOtherRegistersKeepTheirValues() {
         assertThat(port.i2c().transaction(0x02, new byte[] {0}, 0, 1, new byte[1], 0, 1)).isEqualTo(Status.NO_ANSWER);
         port.i2c().transaction(COMPASS_ADDRESS, new byte[] {0x08, 'x'}, 0, 2, null, 0, 0);
         assertThat(read(0x08, 1)).containsExactly('M');
     }
 
-    @Test void thereIsNothingBehindTheLastRegister() {
+    @Test
+    void thereIsNothingBehindTheLastRegister() {
         assertThat(read(0xff, 2)).containsExactly(0, 0);
     }
 }

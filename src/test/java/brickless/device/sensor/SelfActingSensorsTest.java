@@ -22,19 +22,23 @@ class SelfActingSensorsTest {
             super(site, 1, "V1.0", "NOBODY", "Counter");
         }
 
-        @Override public void afterStep(long nowNanos) {
+        @Override
+        public void afterStep(long nowNanos) {
             steps++;
         }
 
-        @Override boolean writable(int register) {
+        @Override
+        boolean writable(int register) {
             return false;
         }
 
-        @Override void written(int register, long nowNanos) {
+        @Override
+        void written(int register, long nowNanos) {
             throw new AssertionError("nobody writes");
         }
 
-        @Override double[] reading(long nowNanos) {
+        @Override
+        double[] reading(long nowNanos) {
             return new double[] {steps};
         }
     }
@@ -42,13 +46,15 @@ class SelfActingSensorsTest {
     private final RobotBench bench = RobotBench.real(TestWorlds.with(), TestWorlds.educator());
 
     private StepCounter plug(int port) {
-        SensorMount mount = new SensorMount("counter", port, SensorType.NXT_ULTRASONIC, new Point2(0, 0), 0, 0.06, List.of(), Optional.empty());
+        SensorMount mount = new SensorMount("counter", port, SensorType.NXT_ULTRASONIC, new Point2(0, 0), 0, 0.06,
+                List.of(), Optional.empty());
         StepCounter[] made = new StepCounter[1];
         bench.devices.sensor(port).plug(mount, site -> made[0] = new StepCounter(site));
         return made[0];
     }
 
-    @Test void eachIsCalledOnceInEveryStep() {
+    @Test
+    void eachIsCalledOnceInEveryStep() {
         StepCounter first = plug(0);
         bench.runMillis(10 * STEP_MILLIS);
         StepCounter second = plug(2);
@@ -57,7 +63,8 @@ class SelfActingSensorsTest {
         assertThat(second.steps).isEqualTo(5);
     }
 
-    @Test void oneThatWasReplacedOrTakenOutIsLeftAlone() {
+    @Test
+    void oneThatWasReplacedOrTakenOutIsLeftAlone() {
         StepCounter replaced = plug(0);
         StepCounter stays = plug(1);
         bench.runMillis(10 * STEP_MILLIS);

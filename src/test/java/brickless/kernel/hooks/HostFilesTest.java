@@ -24,7 +24,8 @@ class HostFilesTest {
         return new ProgramFile(folder.toString(), name);
     }
 
-    @Test void streamsWriteAndReadFilesOfTheHost() throws IOException {
+    @Test
+    void streamsWriteAndReadFilesOfTheHost() throws IOException {
         try (ProgramFileOutputStream out = new ProgramFileOutputStream(file("a"))) {
             out.write(65);
         }
@@ -42,7 +43,8 @@ class HostFilesTest {
         assertThat(folder.resolve("a")).hasContent("ABC");
     }
 
-    @Test void filesAreTheHosts() throws IOException {
+    @Test
+    void filesAreTheHosts() throws IOException {
         assertThat(file("new").createNewFile()).isTrue();
         assertThat(file("sub/deep").mkdirs()).isTrue();
         assertThat(Arrays.stream(folder.toFile().list())).containsExactlyInAnyOrder("new", "sub");
@@ -54,7 +56,8 @@ class HostFilesTest {
         assertThat(file("sub").toURI()).isEqualTo(folder.resolve("sub").toUri());
     }
 
-    @Test void pathsAreTheHosts() throws IOException {
+    @Test
+    void pathsAreTheHosts() throws IOException {
         assertThat(FileHooks.fileSystem()).isSameAs(FileSystems.getDefault());
         assertThat(FileHooks.path("a", "b")).isEqualTo(Path.of("a", "b"));
         assertThat(FileHooks.path(folder.toUri())).isEqualTo(folder);
@@ -63,19 +66,25 @@ class HostFilesTest {
         assertThat(Files.isDirectory(FileHooks.createTempDirectory(folder, "a"))).isTrue();
     }
 
-    @Test void descriptorsAreSynchronised() throws IOException {
+    @Test
+    void descriptorsAreSynchronised() throws IOException {
         try (FileOutputStream out = new FileOutputStream(folder.resolve("a").toFile())) {
             FileHooks.sync(out.getFD());
         }
         assertThatThrownBy(() -> FileHooks.sync(new FileDescriptor())).isInstanceOf(IOException.class);
     }
 
-    @Test void missingFilesHaveTheMessageOfJavaIo() {
+    @Test
+    void missingFilesHaveTheMessageOfJavaIo() {
         assertThatThrownBy(() -> new ProgramFileInputStream(file("absent"))).isInstanceOf(FileNotFoundException.class)
                 .hasMessage(folder.resolve("absent") + " (No such file or directory)");
     }
 
-    @Test void jdkClassesMayOpenFilesByThemselves() {
-        assertThat(FileHooks.hostFile("x.zip")).isEqualTo("x.zip");
+    @Test
+    void jdkClassesMayOpenFilesByThemselves() {
+        assertThat(FileHooks.hostOnly("x.zip")).isEqualTo("x.zip");
+        assertThat(FileHooks.hostOnly(new File("x.zip"))).isEqualTo(new File("x.zip"));
+        assertThat(FileHooks.hostOnly(true)).isTrue();
+        assertThat(FileHooks.hostOnly(7)).isEqualTo(7);
     }
 }

@@ -25,7 +25,8 @@ class HintFinderTest {
     private static HardwareHints hintsOf(Class<?>... classes) throws IOException {
         List<byte[]> files = new ArrayList<>();
         for (Class<?> type : classes) {
-            try (InputStream in = type.getResourceAsStream(type.getName().substring(type.getName().lastIndexOf('.') + 1) + ".class")) {
+            try (InputStream in = type.getResourceAsStream(type.getName().substring(type.getName().lastIndexOf('.') + 1)
+                    + ".class")) {
                 files.add(in.readAllBytes());
             }
         }
@@ -46,7 +47,8 @@ class HintFinderTest {
         }
     }
 
-    @Test void fieldsAndChassis() throws IOException {
+    @Test
+    void fieldsAndChassis() throws IOException {
         HardwareHints hints = hintsOf(Direct.class);
         assertThat(hints.motors()).containsExactly(new HardwareHints.Device("A", "EV3LargeRegulatedMotor", "left"),
                 new HardwareHints.Device("D", "EV3LargeRegulatedMotor", "right"));
@@ -81,7 +83,8 @@ class HintFinderTest {
         }
     }
 
-    @Test void portsThatTravelThroughFieldsArgumentsAndConstants() throws IOException {
+    @Test
+    void portsThatTravelThroughFieldsArgumentsAndConstants() throws IOException {
         HardwareHints hints = hintsOf(Indirect.class);
         assertThat(hints.motors()).containsExactly(new HardwareHints.Device("C", "EV3MediumRegulatedMotor", "arm"));
         assertThat(hints.sensors()).extracting(HardwareHints.Device::port).containsExactly("S3");
@@ -98,7 +101,8 @@ class HintFinderTest {
         }
     }
 
-    @Test void oneConstructorCallMayOpenSeveralPorts() throws IOException {
+    @Test
+    void oneConstructorCallMayOpenSeveralPorts() throws IOException {
         assertThat(hintsOf(Shared.class).motors()).extracting(HardwareHints.Device::port).containsExactly("A", "B");
     }
 
@@ -109,11 +113,13 @@ class HintFinderTest {
         }
     }
 
-    @Test void readyMadeMotorsCount() throws IOException {
+    @Test
+    void readyMadeMotorsCount() throws IOException {
         assertThat(hintsOf(Ready.class).motors()).extracting(HardwareHints.Device::port).containsExactly("B", "C");
     }
 
-    @Test void aClassWithoutHardwareGivesNone() throws IOException {
+    @Test
+    void aClassWithoutHardwareGivesNone() throws IOException {
         assertThat(hintsOf(String.class)).usingRecursiveComparison().ignoringFields("numbers")
                 .isEqualTo(new HardwareHints(List.of(), List.of(), List.of()));
     }

@@ -43,6 +43,7 @@ public class Deserialised {
             out.writeObject(new Written());
         }
         String stream = bytes.toString("ISO-8859-1").replace("$Written", "$Reading");
-        System.out.println(new ObjectInputStream(new ByteArrayInputStream(stream.getBytes(StandardCharsets.ISO_8859_1))).readObject());
+        System.out.println(new ObjectInputStream(new ByteArrayInputStream(stream.getBytes(StandardCharsets.ISO_8859_1)))
+                .readObject());
     }
 }

@@ -63,11 +63,12 @@ public class OnlyComputing {
 
     public static void main(String[] args) throws Throwable {
         int reflected = ByReflection.class.getDeclaredField("value").getInt(null);
-        int handled = (int) MethodHandles.lookup().findStatic(ByHandle.class, "third", MethodType.methodType(int.class)).invoke();
+        int handled = (int) MethodHandles.lookup()
+                .findStatic(ByHandle.class, "third", MethodType.methodType(int.class)).invoke();
         IntUnaryOperator square = ByReference::square;
         BySetting.class.getDeclaredField("value").setDouble(null, 5.5);
-        System.out.println(reflected + " " + handled + " " + square.applyAsInt(3) + " " + Child.twice(2) + " " + BySetting.value + " "
-                + Class.forName("[L" + ByName.class.getName() + ";").getName());
+        System.out.println(reflected + " " + handled + " " + square.applyAsInt(3) + " " + Child.twice(2) + " "
+                + BySetting.value + " " + Class.forName("[L" + ByName.class.getName() + ";").getName());
         System.out.println(Enum.valueOf(Heading.class, "NORTH").right() + " " + Heading.valueOf("SOUTH").right() + " "
                 + Heading.class.getEnumConstants()[2].ordinal());
     }

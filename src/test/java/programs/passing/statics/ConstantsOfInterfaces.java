@@ -54,8 +54,8 @@ public class ConstantsOfInterfaces {
             NAMES.add("first");
             pause();
             NAMES.add("second");
-            return FIXED + " " + COMPUTED[0] + " " + Robot.COMPUTED[1] + " " + MorePorts.NAMES + " " + SEVEN.getAsInt() + " " + eight()
-                    + " " + NINE;
+            return FIXED + " " + COMPUTED[0] + " " + Robot.COMPUTED[1] + " " + MorePorts.NAMES + " " + SEVEN.getAsInt()
+                    + " " + eight() + " " + NINE;
         }
     }
 
@@ -71,8 +71,8 @@ public class ConstantsOfInterfaces {
         pause();
         System.out.println(new Robot().all());
         pause();
-        System.out.println(Ports.class.getField("TWO").getInt(null) + " " + MorePorts.class.getField("REAL").getDouble(null) + " "
-                + Robot.class.getField("NAMES").get(null) + " "
+        System.out.println(Ports.class.getField("TWO").getInt(null) + " " + MorePorts.class.getField("REAL")
+                .getDouble(null) + " " + Robot.class.getField("NAMES").get(null) + " "
                 + MethodHandles.lookup().findStaticGetter(Ports.class, "TWO", int.class).invoke());
         try {
             Ports.class.getField("TWO").setInt(null, 3);

@@ -34,8 +34,8 @@ public class KindsOfStatics {
     }
 
     static String all() {
-        return flag + " " + small + " " + letter + " " + medium + " " + number + " " + large + " " + single + " " + real + " " + text
-                + " " + java.util.Arrays.toString(TABLE) + " " + Plain.count + " " + CONSTANT;
+        return flag + " " + small + " " + letter + " " + medium + " " + number + " " + large + " " + single + " "
+                + real + " " + text + " " + java.util.Arrays.toString(TABLE) + " " + Plain.count + " " + CONSTANT;
     }
 
     public static void main(String[] args) {

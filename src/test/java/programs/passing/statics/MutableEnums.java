@@ -63,8 +63,8 @@ public class MutableEnums {
         pause();
         Enum.valueOf(Motor.class, "RIGHT").turn();
         for (Motor motor : Motor.values()) {
-            System.out.println(motor + " " + Math.min(motor.turned(), 5) + " " + (motor == Motor.valueOf(motor.name())) + " "
-                    + (motor == Motor.values()[motor.ordinal()]));
+            System.out.println(motor + " " + Math.min(motor.turned(), 5) + " "
+                    + (motor == Motor.valueOf(motor.name())) + " " + (motor == Motor.values()[motor.ordinal()]));
         }
         try {
             Motor.valueOf("NONE");

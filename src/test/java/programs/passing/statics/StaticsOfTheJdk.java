@@ -30,7 +30,8 @@ public class StaticsOfTheJdk {
         first.join();
         System.setProperty("robot", "mine");
         LOCAL.set(3);
-        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> System.out.println("caught " + failure + " in " + thread.getName()));
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) ->
+                System.out.println("caught " + failure + " in " + thread.getName()));
         pause();
         Thread second = new Thread(() -> {
             throw new IllegalStateException("on purpose");
@@ -41,7 +42,8 @@ public class StaticsOfTheJdk {
         int hash = System.identityHashCode(lock);
         int ofText = System.identityHashCode("constant");
         pause();
-        System.out.println(System.getProperty("robot") + " " + LOCAL.get() + " " + (hash == System.identityHashCode(lock)));
+        System.out.println(System.getProperty("robot") + " " + LOCAL.get() + " "
+                + (hash == System.identityHashCode(lock)));
         System.out.println(ofText == System.identityHashCode("constant"));
         System.out.println(new StaticsOfTheJdk().hashCode() - new int[0].hashCode() < 0 ? 1 : 0);
     }
