@@ -45,7 +45,7 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
     private StaticExchange exchange;
     /** Whether a class could not be loaded: the JVM remembers that, and tells it differently the second time. */
     private volatile boolean missedOne;
-    /** Classes of the program that were looked at for obstacles to reuse; of a loader with one nothing more is asked. */
+    /** Classes of the program without obstacle to reuse; of a loader with one nothing more is asked. */
     private final Set<String> withoutObstacle = new HashSet<>();
 
     private RobotClassLoader(ClassLoader application, ClassSource programClasses, LoadingRules rules) {

@@ -52,7 +52,7 @@ class RetentionTest {
         assertNoNewThread(before);
     }
 
-    private static void assertNoNewThread(Set<Thread> before) throws InterruptedException {
+    static void assertNoNewThread(Set<Thread> before) throws InterruptedException {
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             if (!before.contains(thread) && thread.getName().startsWith("brickless")) {
                 thread.join(PATIENCE_MILLIS);

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -134,11 +135,13 @@ class ReusedLoadersTest {
     @MethodSource("backends")
     void classesAndNoObjectOfAProgramRemain(BackendChoice backend) throws Exception {
         IDLE.clear();
+        Set<Thread> threads = Thread.getAllStackTraces().keySet();
         RunReport report = run(Program.onClassPath("programs.robots.Hoarder"), settings(backend));
         assertThat(report.outcome().kind()).as(report.outcome() + report.text()).isEqualTo("exited");
         assertThat(IDLE.size()).isEqualTo(1);
         List<WeakReference<Object>> left = Left.taken();
         assertThat(left).hasSize(10);
+        RetentionTest.assertNoNewThread(threads);
         System.gc();
         assertThat(left).allMatch(object -> object.get() == null);
     }
