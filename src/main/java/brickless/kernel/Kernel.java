@@ -440,6 +440,7 @@ public final class Kernel implements VirtualMachine, Processor {
         roster.clear();
         clock.clear();
         shutdown.clear();
+        uncaughtExceptions.defaultHandler(null);
         mainThread = null;
         mainBody = null;
         contextLoader = null;

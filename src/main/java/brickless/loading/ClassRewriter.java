@@ -16,6 +16,7 @@ import org.objectweb.asm.tree.MethodNode;
  * bridges, charges come after calls are final, and synchronized wraps everything.
  */
 final class ClassRewriter {
+    private final ClassCatalog catalog;
     private final JdkReplacements replacements;
     private final ClassInitialisers initialisers;
     private final List<ClassPass> classPasses;
@@ -23,6 +24,7 @@ final class ClassRewriter {
     private final ClassPass identityHashes = new IdentityHashInjection();
 
     ClassRewriter(ClassCatalog catalog, JdkReplacements replacements) {
+        this.catalog = catalog;
         this.replacements = replacements;
         JdkCallRedirects redirects = new JdkCallRedirects(catalog);
         ConstructedReplacements constructed = new ConstructedReplacements(replacements);
@@ -53,6 +55,7 @@ final class ClassRewriter {
             transform(type, file);
         }
         ClassNode statics = InterfaceStatics.takeOutOf(type);
+        InterfaceStatics.addToNest(type, catalog);
         initialisers.addTrigger(type.name, statics == null ? type : statics);
         return new RewrittenClass(bytes(type, file), statics == null ? null : bytes(statics, file));
     }

@@ -47,6 +47,7 @@ final class InterfaceStatics {
         statics.name = nameFor(type.name);
         statics.superName = Code.OBJECT;
         statics.sourceFile = type.sourceFile;
+        statics.nestHostClass = type.nestHostClass;
         for (FieldNode field : type.fields) {
             if (field.value == null) {
                 FieldNode moved = new FieldNode(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, field.name,
@@ -59,6 +60,15 @@ final class InterfaceStatics {
         statics.methods.add(initialiser);
         openTo(initialiser, type);
         return statics;
+    }
+
+    /** The classes beside nested interfaces reach private members of the classes around them. */
+    static void addToNest(ClassNode host, ClassCatalog catalog) {
+        if (host.nestMembers != null) {
+            host.nestMembers.addAll(host.nestMembers.stream()
+                    .filter(member -> catalog.isInterface(member) && catalog.initialises(member))
+                    .map(InterfaceStatics::nameFor).toList());
+        }
     }
 
     /** Private static methods, lambda bodies among them, that the initialiser uses become public. */

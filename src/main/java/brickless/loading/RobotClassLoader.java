@@ -11,7 +11,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Enumeration;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 
 /**
  * The class loader of one robot, or of several that run the same program: defines the program, leJOS and the robots'
@@ -21,6 +24,9 @@ import java.util.List;
  * before any class of the program is used, run {@link #mainThread} on that, and {@link #close} the loader afterwards.
  * Nothing outside refers to it then, so that its classes can be collected. With several robots, {@link #bind} and the
  * other calls concern the robot that was entered last. Thread-safe, but for robots: one runs at a time.
+ *
+ * <p>Robots of a later run are several robots too: after {@link #forget}, and {@link #reopen} if the program is in
+ * directories and jars, the loader can be used again.
  */
 public final class RobotClassLoader extends ClassLoader implements Closeable {
     private static final String NAME = "robot";
@@ -29,19 +35,26 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
 
     private final LoadingRules rules;
     private final ClassLoader application;
+    /** Whether the program is read by it too. */
+    private final boolean fromApplication;
     private final ClassSource applicationClasses;
-    private final ClassSource programClasses;
+    private final RememberedClasses programClasses;
     private final ClassCatalog catalog;
     private final ClassRewriter rewriter;
     /** Set before any class is defined; null unless several robots share the classes. */
     private StaticExchange exchange;
+    /** Whether a class could not be loaded: the JVM remembers that, and tells it differently the second time. */
+    private volatile boolean missedOne;
+    /** Classes of the program without obstacle to reuse; of a loader with one nothing more is asked. */
+    private final Set<String> withoutObstacle = new HashSet<>();
 
     private RobotClassLoader(ClassLoader application, ClassSource programClasses, LoadingRules rules) {
         super(NAME, getPlatformClassLoader());
         this.rules = rules;
         this.application = application;
+        fromApplication = programClasses instanceof LoaderClassSource;
         this.applicationClasses = new LoaderClassSource(application);
-        this.programClasses = programClasses;
+        this.programClasses = new RememberedClasses(programClasses);
         JdkReplacements replacements = JdkReplacements.standard();
         catalog = new ClassCatalog(this::rewritable, replacements);
         rewriter = new ClassRewriter(catalog, replacements);
@@ -86,9 +99,61 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
         return this;
     }
 
+    /**
+     * Why a later run must not use the classes; empty if it may. To be asked while the class path is still open.
+     */
+    public Optional<String> obstacleToReuse() {
+        if (exchange == null || missedOne) {
+            return Optional.of(exchange == null ? "prepared for one robot" : "a class could not be loaded");
+        }
+        List<String> found = programClasses.found();
+        found.removeAll(withoutObstacle);
+        withoutObstacle.addAll(found);
+        return SharingObstacles.firstIn(this, found);
+    }
+
+    /** Whether this is a loader of {@link #ofApplication(ClassLoader, LoadingRules)} for that one, with these rules. */
+    public boolean readsFrom(ClassLoader other, LoadingRules otherRules) {
+        return fromApplication && application == other && rules == otherRules;
+    }
+
+    /**
+     * Opens another class path for a loader of {@link #ofPaths(List)}, which may have been closed, if the program is
+     * the
+     * same: all classes that were looked for so far are there with the same content, or absent as before.
+     *
+     * @return whether it is
+     * @throws IOException if a directory or jar does not exist or cannot be read; the message names it
+     */
+    public boolean reopen(List<Path> classPath) throws IOException {
+        if (fromApplication) {
+            return false;
+        }
+        ClassSource other = new PathClassSource(classPath);
+        if (!programClasses.agreesWith(other)) {
+            other.close();
+            return false;
+        }
+        programClasses.exchange(other);
+        return true;
+    }
+
+    /**
+     * Lets go of everything that robots have left in static fields: these have the values again that the JVM gave them.
+     * All robots must be over.
+     */
+    public void forget() {
+        bind(null);
+        exchange.clear(this);
+    }
+
     /** A robot that runs these classes. Without {@link #forSeveralRobots} there must be one only. */
     public RobotContext newRobot() {
-        return new RobotContext(this, exchange);
+        RobotContext robot = new RobotContext(this, exchange);
+        if (exchange != null) {
+            exchange.joins(robot);
+        }
+        return robot;
     }
 
     /**
@@ -150,6 +215,17 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
+        boolean loaded = InterfaceStatics.isName(name);
+        try {
+            Class<?> type = define(name);
+            loaded = true;
+            return type;
+        } finally {
+            missedOne |= !loaded;
+        }
+    }
+
+    private Class<?> define(String name) throws ClassNotFoundException {
         ClassFile file = locate(InterfaceStatics.interfaceOf(name));
         byte[] bytes = file == null ? null : bytesOf(name, file);
         if (bytes == null) {

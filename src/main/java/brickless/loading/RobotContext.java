@@ -63,6 +63,13 @@ public final class RobotContext {
         }
     }
 
+    /** Drops everything that the robot has left. It cannot run any more. */
+    void drop() {
+        states.clear();
+        changing.clear();
+        hooks = null;
+    }
+
     void save(List<StaticClass> classes) {
         addMissing(classes);
         boolean someFinal = false;

@@ -18,11 +18,28 @@ final class StaticExchange {
     private final Map<Class<?>, StaticClass> untouched = new ConcurrentHashMap<>();
     private final Queue<StaticClass> added = new ConcurrentLinkedQueue<>();
     private final List<StaticClass> classes = new ArrayList<>();
+    /** Those of which the loader has been asked for, the last run's. */
+    private final List<RobotContext> robots = new ArrayList<>();
     private RobotContext present;
 
     /** The robot that may run; null before the first. */
     RobotContext present() {
         return present;
+    }
+
+    /** Another robot of a run. */
+    void joins(RobotContext robot) {
+        robots.add(robot);
+    }
+
+    /** All robots are over: drops what they have left, and gives the fields the values of one that did nothing. */
+    void clear(RobotClassLoader loader) {
+        takeAdded();
+        robots.forEach(RobotContext::drop);
+        robots.clear();
+        RobotContext nobody = new RobotContext(loader, this);
+        nobody.load(classes);
+        present = null;
     }
 
     /** A class was defined. */
@@ -51,13 +68,17 @@ final class StaticExchange {
         if (next == present) {
             return;
         }
-        for (StaticClass statics = added.poll(); statics != null; statics = added.poll()) {
-            classes.add(statics);
-        }
+        takeAdded();
         if (present != null) {
             present.save(classes);
         }
         present = next;
         next.load(classes);
+    }
+
+    private void takeAdded() {
+        for (StaticClass statics = added.poll(); statics != null; statics = added.poll()) {
+            classes.add(statics);
+        }
     }
 }

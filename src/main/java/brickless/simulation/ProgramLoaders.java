@@ -17,23 +17,38 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The class loaders of a run: robots with the same program share one, unless the program could notice. The JVM then has
- * to load and compile everything once.
+ * The class loaders of a run: robots with the same program share one, unless the program could notice, and later runs
+ * of the program use it again. The JVM then has to load and compile everything once.
  */
 final class ProgramLoaders implements AutoCloseable {
+    /** Whose classes a robot has. */
+    enum Sharing {
+        /** Its own. */
+        NONE,
+        /** Those of all robots of the run that run the same program. */
+        IN_THE_RUN,
+        /** Those, also with earlier and later runs. */
+        WITH_OTHER_RUNS
+    }
+
     private static final Logger LOG = LoggerFactory.getLogger(ProgramLoaders.class);
 
     private final ClassLoader application = Thread.currentThread().getContextClassLoader();
-    private final boolean sharing;
+    private final Sharing sharing;
     private final List<RobotClassLoader> open = new ArrayList<>();
     private final Map<List<Path>, RobotClassLoader> shared = new HashMap<>();
 
     /**
-     * No loaders yet.
-     *
-     * @param sharing whether robots may share; else each has a loader of its own
+     * For a run of its programs' main methods, or of a body. That may hand objects of the robot to others, who use them
+     * when the run is over.
      */
-    ProgramLoaders(boolean sharing) {
+    static ProgramLoaders ofRun(boolean hasBody) {
+        boolean once = hasBody || !CompleteExceptions.areGranted();
+        return new ProgramLoaders(once ? Sharing.IN_THE_RUN : Sharing.WITH_OTHER_RUNS);
+    }
+
+    /** No loaders yet. */
+    ProgramLoaders(Sharing sharing) {
         this.sharing = sharing;
     }
 
@@ -47,15 +62,15 @@ final class ProgramLoaders implements AutoCloseable {
         if (known != null) {
             return known;
         }
+        RobotClassLoader loader = open(program);
         List<String> mainClasses = all.stream().filter(other -> other.classPath().equals(program.classPath()))
                 .map(Program::mainClass).toList();
-        RobotClassLoader loader = open(program);
-        if (sharing && mainClasses.size() > 1) {
+        if (sharing != Sharing.NONE && mainClasses.size() > 1) {
             Optional<String> obstacle = SharingObstacles.firstIn(loader, mainClasses);
             if (obstacle.isPresent()) {
                 LOG.debug("robots with {} have their own classes: {}", program.name(), obstacle.get());
             } else {
-                shared.put(program.classPath(), loader.forSeveralRobots());
+                shared.put(program.classPath(), loader);
             }
         }
         return loader;
@@ -63,14 +78,41 @@ final class ProgramLoaders implements AutoCloseable {
 
     private RobotClassLoader open(Program program) {
         try {
-            RobotClassLoader loader = program.classPath().isEmpty()
-                    ? RobotClassLoader.ofApplication(application, LoadingRules.standard())
-                    : RobotClassLoader.ofPaths(program.classPath());
+            Optional<RobotClassLoader> idle = sharing == Sharing.WITH_OTHER_RUNS
+                    ? IdleLoaders.ofTheJvm().take(program, application) : Optional.empty();
+            RobotClassLoader loader = idle.isPresent() ? idle.get() : create(program);
             open.add(loader);
             return loader;
         } catch (IOException e) {
             throw new SetupException(e.getMessage());
         }
+    }
+
+    private RobotClassLoader create(Program program) throws IOException {
+        RobotClassLoader loader = program.classPath().isEmpty()
+                ? RobotClassLoader.ofApplication(application, LoadingRules.standard())
+                : RobotClassLoader.ofPaths(program.classPath());
+        return sharing == Sharing.NONE ? loader : loader.forSeveralRobots();
+    }
+
+    /**
+     * Closes the programs' jars and leaves the classes to later runs, unless a program could notice. Only after a run
+     * that came to its end: nothing of it may still run.
+     */
+    void giveBack() {
+        List<RobotClassLoader> idle = open.stream()
+                .filter(loader -> sharing == Sharing.WITH_OTHER_RUNS && isReusable(loader)).toList();
+        close();
+        idle.forEach(loader -> {
+            loader.forget();
+            IdleLoaders.ofTheJvm().put(loader);
+        });
+    }
+
+    private static boolean isReusable(RobotClassLoader loader) {
+        Optional<String> obstacle = loader.obstacleToReuse();
+        obstacle.ifPresent(reason -> LOG.debug("no other run uses the classes again: {}", reason));
+        return obstacle.isEmpty();
     }
 
     /** Closes the programs' jars. */

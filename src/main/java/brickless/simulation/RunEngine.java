@@ -1,6 +1,7 @@
 package brickless.simulation;
 
 import brickless.kernel.Ensemble;
+import brickless.kernel.Kernel;
 import brickless.kernel.ProgramEnd;
 import brickless.loading.RobotContext;
 import brickless.program.Program;
@@ -27,10 +28,10 @@ final class RunEngine {
     private volatile RunReport report;
 
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener) {
-        this(settings, program, body, listener, new ProgramLoaders(true));
+        this(settings, program, body, listener, ProgramLoaders.ofRun(body.isPresent()));
     }
 
-    /** An engine that uses given loaders and closes them in the end. */
+    /** An engine that uses given loaders and closes them in the end, or gives them back. */
     RunEngine(SimulationSettings settings, Program program, Optional<ProgramBody> body, TraceListener listener,
             ProgramLoaders loaders) {
         this.loaders = loaders;
@@ -93,7 +94,7 @@ final class RunEngine {
         if (!started) {
             started = true;
             stage.discard();
-            release();
+            release(false);
             gate.end(null);
         } else if (!gate.ended()) {
             gate.leave(() -> programs.forEach(program -> program.kernel().timeUp()));
@@ -127,19 +128,34 @@ final class RunEngine {
 
     private void run() {
         Throwable problem = null;
+        boolean orderly = false;
         try {
-            finish(new Ensemble(programs.stream().map(ProgramSession::kernel).toList(), this::step).run());
+            List<Kernel> kernels = programs.stream().map(ProgramSession::kernel).toList();
+            List<ProgramEnd> ends = new Ensemble(kernels, this::step).run();
+            finish(ends);
+            orderly = ends.stream().noneMatch(end -> end.kind() == ProgramEnd.Kind.RUNAWAY);
         } catch (RuntimeException | Error e) {
             problem = e;
         } finally {
-            release();
+            end(orderly, problem);
+        }
+    }
+
+    private void end(boolean orderly, Throwable problem) {
+        try {
+            release(orderly);
+        } finally {
             gate.end(problem);
         }
     }
 
-    private void release() {
+    private void release(boolean orderly) {
         programs.forEach(ProgramSession::release);
-        loaders.close();
+        if (orderly) {
+            loaders.giveBack();
+        } else {
+            loaders.close();
+        }
         crew.close();
     }
 

@@ -8,9 +8,9 @@ import java.util.List;
 
 /** A new JVM that measures one case and prints the figures as its last line: {@code Child CASE EFFORT}. */
 public final class Child {
-    /** What lets threads of programs be continuations. */
+    /** What lets threads of programs be continuations, and runs use classes again. */
     static final List<String> VIRTUAL_TIME = List.of("--add-exports=java.base/jdk.internal.vm=ALL-UNNAMED",
-            "--add-opens=java.base/java.lang=ALL-UNNAMED");
+            "--add-opens=java.base/java.lang=ALL-UNNAMED", "-XX:-OmitStackTraceInFastThrow");
 
     private Child() {}
 

@@ -37,7 +37,7 @@ public final class KernelCost implements Measurement {
         Kernel kernel = new Kernel(KernelSettings.defaults().withLimitNanos(seconds * 1_000_000_000L)
                 .withStepNanos(stage.stepNanos()));
         RobotSession robot = stage.enter(crew.get(0), kernel, true, new NeverEnding());
-        ProgramLoaders loaders = new ProgramLoaders(false);
+        ProgramLoaders loaders = new ProgramLoaders(ProgramLoaders.Sharing.NONE);
         RobotRealm realm = new RobotRealm(loaders.contexts(List.of(program)).get(0), program.mainClass(), kernel,
                 robot.brick(robot.console()), Optional.empty());
         stage.begin();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import brickless.bench.RobotGrid;
 import brickless.kernel.BackendChoice;
 import brickless.program.Program;
+import brickless.simulation.ProgramLoaders.Sharing;
 import brickless.trace.TraceListener;
 import java.time.Duration;
 import java.util.List;
@@ -37,7 +38,7 @@ class SharedProgramsTest {
 
     @Test
     void robotsWithTheSameProgramShareOneLoader() {
-        try (ProgramLoaders loaders = new ProgramLoaders(true)) {
+        try (ProgramLoaders loaders = new ProgramLoaders(Sharing.IN_THE_RUN)) {
             Program bumper = Program.onClassPath("programs.speed.Bumper");
             Program courier = Program.onClassPath("programs.speed.Courier");
             assertThat(loaders.contexts(List.of(bumper, courier, bumper)).stream().map(robot -> robot.loader())
@@ -47,7 +48,7 @@ class SharedProgramsTest {
 
     @Test
     void aProgramThatCouldNoticeIsNotShared() {
-        try (ProgramLoaders loaders = new ProgramLoaders(true)) {
+        try (ProgramLoaders loaders = new ProgramLoaders(Sharing.IN_THE_RUN)) {
             Program program = Program.onClassPath("programs.passing.initialisers.EnumConstants");
             assertThat(loaders.contexts(List.of(program, program)).stream().map(robot -> robot.loader())
                     .distinct()).hasSize(2);
@@ -61,7 +62,7 @@ class SharedProgramsTest {
 
     private static String trace(SimulationSettings settings, String program, boolean sharing) {
         RunEngine engine = new RunEngine(settings, Program.onClassPath(program), Optional.empty(), TraceListener.NONE,
-                new ProgramLoaders(sharing));
+                new ProgramLoaders(sharing ? Sharing.IN_THE_RUN : Sharing.NONE));
         engine.advanceTo(Long.MAX_VALUE);
         return engine.report().traceHash();
     }

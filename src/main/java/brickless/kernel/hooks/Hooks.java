@@ -32,6 +32,9 @@ public final class Hooks {
      * @return the robot's counters, which are a {@link StaticState} too
      */
     public static Budget bind(VirtualMachine kernel) {
+        if (kernel == null) {
+            robot.forget();
+        }
         left = 0;
         depth = 0;
         use(new RobotState(kernel));

@@ -29,6 +29,12 @@ final class RobotState extends StaticState implements Budget {
         largestArrayBytes = kernel == null ? Long.MAX_VALUE : InstructionCharges.LARGEST_ARRAY_BYTES;
     }
 
+    /** Lets go of the program's objects: the robot is over, but its kernel still knows this. */
+    void forget() {
+        properties = null;
+        enums.clear();
+    }
+
     private boolean isPresent() {
         return Hooks.robot() == this;
     }
