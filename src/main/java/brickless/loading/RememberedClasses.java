@@ -10,8 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 /**
  * A class source that can be exchanged for another one, as long as that gives the same answers: it remembers what was
  * asked for and the content of what was found. Questions may come from any thread; {@link #exchange} must not come
- * while
- * others ask.
+ * while others ask.
  */
 final class RememberedClasses implements ClassSource {
     private static final String ABSENT = "";

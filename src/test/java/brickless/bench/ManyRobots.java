@@ -15,6 +15,9 @@ final class ManyRobots implements Measurement {
     /** A few robots run as long as one program does, a thousand for ten seconds. */
     private static final int ROBOT_SECONDS = 10_000;
 
+    private static final String HEAP = "heapKilobytesPerRobot";
+    private static final String CLASSES = "classesKilobytesPerRobot";
+
     private final int robots;
 
     ManyRobots(int robots) {
@@ -26,9 +29,14 @@ final class ManyRobots implements Measurement {
         int seconds = Math.max(1,
                 Math.min(effort.simulatedSeconds(), effort.nest() ? Math.max(10, ROBOT_SECONDS / robots / 2) : 1));
         long begin = System.nanoTime();
-        Figures last = round(seconds);
+        Figures first = round(seconds);
+        Figures last = first;
         for (int i = 1; i < effort.rounds() && System.nanoTime() - begin < 2 * effort.warmUpMillis() * 1_000_000; i++) {
             last = round(seconds);
+        }
+        // Only in the first run are the classes new.
+        for (String memory : new String[] {HEAP, CLASSES}) {
+            last.put(memory, first.get(memory));
         }
         return last;
     }
@@ -58,8 +66,8 @@ final class ManyRobots implements Measurement {
                 .put("timesNewRun", simulated / warm.wallSecondsSince(first))
                 .put("microsPerRobotStep", late.processSecondsSince(warm) * 1e6 / (simulated * 500 * robots))
                 .put("startMillis", begun.wallSecondsSince(start) * 1e3)
-                .put("heapKilobytesPerRobot", (with[0] - before[0]) / 1e3 / robots)
-                .put("classesKilobytesPerRobot", (with[1] - before[1]) / 1e3 / robots);
+                .put(HEAP, (with[0] - before[0]) / 1e3 / robots)
+                .put(CLASSES, (with[1] - before[1]) / 1e3 / robots);
     }
 
     /** Heap in use after a collection, and memory outside it, bytes. */

@@ -10,11 +10,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 
 /**
- * How fast whole programs run, in times real time. Every run has classes of its own, which the JVM compiles anew: so
- * the first half of a run, start included, is measured as {@code timesNewRun}, and the second half, of the same length,
- * as the speed after warm-up: by the wall clock, by the processor time of the whole JVM, and by that of its threads
- * alone (without compiler and collector). Also what a run allocates, and how long it takes to start. No files are
- * written.
+ * How fast whole programs run, in times real time. The first half of a run, start included, is measured as
+ * {@code timesNewRun}, and the second half, of the same length, as the speed after warm-up: by the wall clock, by the
+ * processor time of the whole JVM, and by that of its threads alone (without compiler and collector). Earlier runs of
+ * the same JVM have loaded and compiled the classes. Also what a run allocates, and how long it takes to start. No
+ * files are written.
  */
 final class ProgramSpeed implements Measurement {
     private static final Duration BEGINNING = Duration.ofMillis(2);
