@@ -25,7 +25,7 @@ final class RememberedClasses implements ClassSource {
     @Override
     public ClassFile find(String internalName) {
         ClassFile file = source.find(internalName);
-        answers.putIfAbsent(internalName, content(file));
+        answers.computeIfAbsent(internalName, name -> content(file));
         return file;
     }
 

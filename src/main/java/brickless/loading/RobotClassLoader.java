@@ -119,8 +119,7 @@ public final class RobotClassLoader extends ClassLoader implements Closeable {
 
     /**
      * Opens another class path for a loader of {@link #ofPaths(List)}, which may have been closed, if the program is
-     * the
-     * same: all classes that were looked for so far are there with the same content, or absent as before.
+     * the same: all classes that were looked for so far are there with the same content, or absent as before.
      *
      * @return whether it is
      * @throws IOException if a directory or jar does not exist or cannot be read; the message names it

@@ -10,9 +10,11 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,6 +39,8 @@ final class ProgramLoaders implements AutoCloseable {
     private final Sharing sharing;
     private final List<RobotClassLoader> open = new ArrayList<>();
     private final Map<List<Path>, RobotClassLoader> shared = new HashMap<>();
+    /** Class paths of programs that could notice. */
+    private final Set<List<Path>> unshared = new HashSet<>();
 
     /**
      * For a run of its programs' main methods, or of a body. That may hand objects of the robot to others, who use them
@@ -63,11 +67,15 @@ final class ProgramLoaders implements AutoCloseable {
             return known;
         }
         RobotClassLoader loader = open(program);
+        if (sharing == Sharing.NONE || unshared.contains(program.classPath())) {
+            return loader;
+        }
         List<String> mainClasses = all.stream().filter(other -> other.classPath().equals(program.classPath()))
                 .map(Program::mainClass).toList();
-        if (sharing != Sharing.NONE && mainClasses.size() > 1) {
+        if (mainClasses.size() > 1) {
             Optional<String> obstacle = SharingObstacles.firstIn(loader, mainClasses);
             if (obstacle.isPresent()) {
+                unshared.add(program.classPath());
                 LOG.debug("robots with {} have their own classes: {}", program.name(), obstacle.get());
             } else {
                 shared.put(program.classPath(), loader);
