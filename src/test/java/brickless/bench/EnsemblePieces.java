@@ -1,10 +1,10 @@
 package brickless.bench;
 
 import brickless.kernel.Costs;
+import brickless.kernel.CountingBudget;
 import brickless.kernel.Ensemble;
 import brickless.kernel.Kernel;
 import brickless.kernel.KernelSettings;
-import brickless.kernel.hooks.Budget;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
@@ -41,7 +41,7 @@ public class EnsemblePieces {
 
         private void run(Program program) {
             for (Kernel kernel : kernels) {
-                kernel.bind(new Counters());
+                kernel.bind(new CountingBudget());
                 Runnable body = () -> program.run(kernel);
                 kernel.main(new Thread(body, "main"), body);
             }
@@ -53,32 +53,6 @@ public class EnsemblePieces {
     interface Program {
         /** Runs until its kernel ends it. */
         void run(Kernel kernel);
-    }
-
-    /** What rewritten code would keep in static fields. */
-    private static final class Counters implements Budget {
-        private int left;
-        private int depth;
-
-        @Override
-        public int left() {
-            return left;
-        }
-
-        @Override
-        public void grant(int nanos) {
-            left = nanos;
-        }
-
-        @Override
-        public int depth() {
-            return depth;
-        }
-
-        @Override
-        public void depth(int restored) {
-            depth = restored;
-        }
     }
 
     /** Each robot's only thread sleeps for five steps again and again. */

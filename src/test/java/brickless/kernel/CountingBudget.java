@@ -3,7 +3,7 @@ package brickless.kernel;
 import brickless.kernel.hooks.Budget;
 
 /** The counters that rewritten code would keep in static fields. */
-final class CountingBudget implements Budget {
+public final class CountingBudget implements Budget {
     private int left;
     private int depth;
 

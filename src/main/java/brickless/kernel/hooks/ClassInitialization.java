@@ -1,7 +1,6 @@
 package brickless.kernel.hooks;
 
 import java.lang.invoke.MethodHandle;
-import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.Field;
 
@@ -27,7 +26,6 @@ public final class ClassInitialization {
      */
     public static final String STATICS_SUFFIX = "$$Statics";
 
-    private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
     private static final MethodType NO_ARGUMENTS = MethodType.methodType(void.class);
 
     private ClassInitialization() {}
@@ -80,9 +78,11 @@ public final class ClassInitialization {
      * Initialises a class that is about to be used by reflection, and its superclasses; does nothing for other classes.
      */
     public static void initializeForReflection(Class<?> type) {
-        Class<?> statics = isRewritten(type) && type.isInterface() ? staticsOf(type) : type;
-        if (statics != null && isRewritten(type)) {
-            callTrigger(statics);
+        if (isRewritten(type)) {
+            Class<?> statics = type.isInterface() ? staticsOf(type) : type;
+            if (statics != null) {
+                callTrigger(statics);
+            }
         }
     }
 
@@ -129,7 +129,7 @@ public final class ClassInitialization {
     private static void callTrigger(Class<?> type) {
         MethodHandle trigger;
         try {
-            trigger = MethodHandles.privateLookupIn(type, LOOKUP).findStatic(type, TRIGGER, NO_ARGUMENTS);
+            trigger = ReflectionHooks.insideOf(type).findStatic(type, TRIGGER, NO_ARGUMENTS);
         } catch (NoSuchMethodException absent) {
             return;
         } catch (IllegalAccessException broken) {
@@ -138,14 +138,8 @@ public final class ClassInitialization {
         try {
             trigger.invokeExact();
         } catch (Throwable failure) {
-            throw ClassInitialization.<RuntimeException>unchecked(failure);
+            throw ReflectionHooks.<RuntimeException>unchecked(failure);
         }
-    }
-
-    /** Throws any exception as it is: an initialiser's exceptions must not be wrapped twice. */
-    @SuppressWarnings("unchecked")
-    private static <E extends Throwable> E unchecked(Throwable failure) throws E {
-        throw (E) failure;
     }
 
     /**

@@ -1,14 +1,11 @@
 package brickless.kernel.hooks;
 
-import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.util.HashMap;
 import java.util.Map;
 
 /** {@code Enum.valueOf} of rewritten code: the JDK would remember the constants of one robot for all. Per robot. */
 public final class EnumHooks {
-    private static final MethodHandles.Lookup LOOKUP = MethodHandles.lookup();
-
     private EnumHooks() {}
 
     /** {@code Enum.valueOf(type, name)}. */
@@ -47,16 +44,10 @@ public final class EnumHooks {
 
     private static Enum<?>[] values(Class<?> type) {
         try {
-            return (Enum<?>[]) MethodHandles.privateLookupIn(type, LOOKUP)
+            return (Enum<?>[]) ReflectionHooks.insideOf(type)
                     .findStatic(type, "values", MethodType.methodType(type.arrayType())).invoke();
         } catch (Throwable failure) {
-            throw EnumHooks.<RuntimeException>unchecked(failure);
+            throw ReflectionHooks.<RuntimeException>unchecked(failure);
         }
-    }
-
-    /** Throws any exception as it is. */
-    @SuppressWarnings("unchecked")
-    private static <E extends Throwable> E unchecked(Throwable failure) throws E {
-        throw (E) failure;
     }
 }

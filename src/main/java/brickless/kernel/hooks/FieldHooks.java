@@ -102,21 +102,15 @@ public final class FieldHooks {
 
     /** Fields of objects need nothing: the objects could not be there otherwise. */
     private static Field initialised(Field field) {
-        if (isOfProgram(field)) {
-            if (Modifier.isStatic(field.getModifiers())) {
-                ClassInitialization.initializeForReflection(field.getDeclaringClass());
-            }
-            field.setAccessible(true);
+        if (Modifier.isStatic(field.getModifiers())) {
+            ClassInitialization.initializeForReflection(field.getDeclaringClass());
         }
+        ReflectionHooks.makeAccessible(field, field.getDeclaringClass());
         return field;
     }
 
     private static Field readable(Field field) {
         Field initialised = initialised(field);
         return Modifier.isStatic(field.getModifiers()) ? ClassInitialization.storage(initialised) : initialised;
-    }
-
-    private static boolean isOfProgram(Field field) {
-        return field.getDeclaringClass().getClassLoader() == FieldHooks.class.getClassLoader();
     }
 }

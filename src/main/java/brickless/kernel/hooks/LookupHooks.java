@@ -19,17 +19,13 @@ public final class LookupHooks {
     /** {@code lookup.findStatic(owner, name, type)}. */
     public static MethodHandle findStatic(Lookup lookup, Class<?> owner, String name, MethodType type)
             throws NoSuchMethodException, IllegalAccessException {
-        MethodHandle handle = lookup.findStatic(owner, name, type);
-        ClassInitialization.initializeForReflection(owner);
-        return handle;
+        return initialised(lookup.findStatic(owner, name, type), owner);
     }
 
     /** {@code lookup.findConstructor(owner, type)}. */
     public static MethodHandle findConstructor(Lookup lookup, Class<?> owner, MethodType type)
             throws NoSuchMethodException, IllegalAccessException {
-        MethodHandle handle = lookup.findConstructor(owner, type);
-        ClassInitialization.initializeForReflection(owner);
-        return handle;
+        return initialised(lookup.findConstructor(owner, type), owner);
     }
 
     /** {@code lookup.findStaticGetter(owner, name, type)}. */

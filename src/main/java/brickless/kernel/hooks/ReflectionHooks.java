@@ -17,7 +17,7 @@ public final class ReflectionHooks {
 
     private ReflectionHooks() {}
 
-    /** Full access to a class of the robot, for its loader. */
+    /** Full access to a class of the robot, for its loader and for hooks. */
     public static MethodHandles.Lookup insideOf(Class<?> type) throws IllegalAccessException {
         return MethodHandles.privateLookupIn(type, LOOKUP);
     }
@@ -80,14 +80,15 @@ public final class ReflectionHooks {
     }
 
     /** The program's own members stay reachable though this class makes the call. */
-    private static void makeAccessible(AccessibleObject member, Class<?> owner) {
+    static void makeAccessible(AccessibleObject member, Class<?> owner) {
         if (owner.getClassLoader() == ReflectionHooks.class.getClassLoader()) {
             member.setAccessible(true);
         }
     }
 
+    /** Throws any exception as it is: those of initialisers, for instance, must not be wrapped twice. */
     @SuppressWarnings("unchecked")
-    private static <E extends Throwable> E unchecked(Throwable failure) throws E {
+    static <E extends Throwable> E unchecked(Throwable failure) throws E {
         throw (E) failure;
     }
 }
